@@ -1,6 +1,6 @@
 # cmake -D ROOT=source -D HTML=pages -D MATHJAX=copy -P check_pages.cmake: what Doxygen does not warn about. Public headers
-# belong to a group, concepts and examples have a page, figures are used and small, rows of tables are separate, and pages load
-# nothing from a network.
+# belong to a group, concepts and examples have a page, figures are used, small and numbered in order, rows of tables are
+# separate, and pages load nothing from a network.
 set(errors)
 cmake_minimum_required(VERSION 3.16)
 macro(error text)
@@ -8,7 +8,7 @@ macro(error text)
 endmacro()
 
 set(doc ${ROOT}/doc/Region_segmentation)
-set(largest_figure 100000) # bytes
+set(largest_figure 300000) # bytes
 
 # Headers that only include others, define macros, or are documented by the page of named parameters.
 set(without_group evaluation.h parameters.h version.h)
@@ -51,15 +51,27 @@ foreach(example IN LISTS examples)
   endif()
 endforeach()
 
-file(READ ${doc}/Region_segmentation.txt manual)
 file(READ ${ROOT}/README.md readme)
+set(manuals)
+foreach(text Region_segmentation Exact_methods Program)
+  file(READ ${doc}/${text}.txt manual)
+  string(APPEND manuals "${manual}")
+endforeach()
+string(REGEX MATCHALL "image html [^;\n]*" captions "${manuals}")
+set(number 0)
+foreach(caption IN LISTS captions)
+  math(EXPR number "${number} + 1")
+  if(NOT caption MATCHES "[.]png \"Figure ${number}[.] ")
+    error("not Figure ${number}: ${caption}")
+  endif()
+endforeach()
 file(GLOB figures RELATIVE ${doc}/fig ${doc}/fig/*)
 foreach(figure IN LISTS figures)
   file(SIZE ${doc}/fig/${figure} size)
   if(size GREATER largest_figure)
     error("${figure}: ${size} bytes")
   endif()
-  string(FIND "${manual}${readme}" "${figure}" place)
+  string(FIND "${manuals}${readme}" "${figure}" place)
   if(place LESS 0)
     error("${figure}: in no text")
   endif()

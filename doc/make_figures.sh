@@ -5,38 +5,26 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
-program=${1:-$root/build/bin/segment_mesh}
+program=$(realpath "${1:-$root/build/bin/segment_mesh}")
 figures=$here/Region_segmentation/fig
 
-sh "$root/cmake/install_packages.sh" chromium imagemagick libcgal-demo optipng python3
+sh "$root/cmake/install_packages.sh" chromium g++ imagemagick libcgal-demo libcgal-dev optipng python3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-meshes=${REGION_SEGMENTATION_REAL_MESHES:-$work}
+meshes=$(realpath "${REGION_SEGMENTATION_REAL_MESHES:-$work}")
 if [ "$meshes" = "$work" ]; then
   tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$work"
 fi
-meshes=$meshes/data/meshes
+cd "$meshes/data/meshes"
 
-# view NAME MESH AZIMUTH ELEVATION [OPTION...]: a picture of a mesh without the white around it. The y axis is up; the
+# view NAME FILE AZIMUTH ELEVATION [OPTION...]: a picture of a mesh without the white around it. The y axis is up; the
 # viewer stands at the azimuth around it, from the z axis, and at the elevation above, in degrees.
 view() {
   name=$1 mesh=$2 azimuth=$3 elevation=$4
   shift 4
   printf '%s: ' "$name"
-  "$program" --quiet "$meshes/$mesh.off" --view "$azimuth" "$elevation" "$@" -o "$work/$name.png" | sed 's/.*: //'
+  "$program" "$mesh" --view "$azimuth" "$elevation" "$@" -o "$work/$name.png" | sed "s/.*: //"
   convert "$work/$name.png" -trim +repage "$work/$name.png"
-}
-
-# crop NAME WIDTHxHEIGHT: the lower right part of a view.
-crop() {
-  convert "$work/$1.png" -gravity southeast -crop "$2+0+0" +repage "$work/$1.png"
-}
-
-# mark FILE KIND MESH NUMBER...: marks of mark_mesh.py.
-mark() {
-  file=$1 kind=$2 mesh=$3
-  shift 3
-  python3 "$here/mark_mesh.py" "$kind" "$meshes/$mesh.off" "$@" >"$work/$file"
 }
 
 # small FROM TO: in 192 colors.
@@ -59,77 +47,63 @@ row() {
 
 rm -f "$figures"/*.png
 
-view camel camel -60 15
-view homer homer 20 10
-view bear bear 15 10
-view triceratops triceratops 30 15
-row four_meshes 260 camel homer bear triceratops
+view camel camel.off -60 15
+view homer homer.off 20 10
+view bear bear.off 15 10
+view triceratops triceratops.off 30 15
+row four_meshes 300 camel homer bear triceratops
 
-view learned elephant 60 15 -k 10
-view visibility elephant 60 15 -k 10 --method visibility
-view two_step elephant 60 15 -k 10 --method two-step
-row methods 260 learned visibility two_step
+"$program" homer.off -k 480 -o "$work/superfacets.seg"
+python3 "$here/mark_mesh.py" rays homer.off "$work/superfacets.seg" "$work/rays.seg" .15 -.05 .02 0 0 1 >"$work/rays.off"
+view superfacets homer.off 20 10 --labels "$work/superfacets.seg"
+view rays "$work/rays.off" 10 10 --labels "$work/rays.seg"
+view regions60 homer.off 20 10 -k 60
+row superfacets 480 superfacets rays regions60 homer
 
-view too_few homer 20 10 -k 5
-view chosen homer 20 10
-view too_many homer 20 10 -k 40
-row numbers 300 too_few chosen too_many
+g++ -O2 -DNDEBUG "$here/segment_by_sdf.cpp" -o "$work/segment_by_sdf" -lgmp -lmpfr
+for mesh in elephant camel; do
+  "$work/segment_by_sdf" $mesh.off >"$work/$mesh.seg"
+done
+view elephant_sdf elephant.off 60 15 --labels "$work/elephant.seg"
+view elephant elephant.off 60 15
+view camel_sdf camel.off -60 15 --labels "$work/camel.seg"
+row beside_sdf 320 elephant_sdf elephant camel_sdf camel
 
-view k2 diplodocus 10 15 -k 2
-view k4 diplodocus 10 15 -k 4
-view k7 diplodocus 10 15 -k 7
-view k16 diplodocus 10 15 -k 16
-row nested 200 k2 k4 k7 k16
+view learned elephant.off 60 15 -k 10
+view visibility elephant.off 60 15 -k 10 --method visibility
+view two_step elephant.off 60 15 -k 10 --method two-step
+row methods 340 learned visibility two_step
 
-view regions480 bunny00 40 15 -k 480
-view regions150 bunny00 40 15 -k 150
-view regions60 bunny00 40 15 -k 60
-view regions_chosen bunny00 40 15
-row merging 240 regions480 regions150 regions60 regions_chosen
+view joint_learned joint.off 50 25
+view joint_smooth joint.off 50 25 --method smooth-faces
+view anchor_smooth anchor.off -10 25 --method smooth-faces
+view rotor rotor.off 60 20 --method smooth-faces
+row machine_parts 280 joint_learned joint_smooth anchor_smooth rotor
 
-view joint_learned joint 50 25
-view joint_smooth joint 50 25 --method smooth-faces
-view anchor_smooth anchor -10 25 --method smooth-faces
-view rotor rotor 60 20 --method smooth-faces
-row machine_parts 240 joint_learned joint_smooth anchor_smooth rotor
+view k2 diplodocus.off 10 15 -k 2
+view k4 diplodocus.off 10 15 -k 4
+view chosen diplodocus.off 10 15
+view k16 diplodocus.off 10 15 -k 16
+row numbers 300 k2 k4 chosen k16
 
-view growing fandisk 30 25 --method two-step --features all --max-angle 20 -k 19
-view creases couplingdown 30 25 --method two-step --features all --max-angle 20 -k 12
-row features 240 growing creases
+python3 "$here/mark_mesh.py" ring diplodocus.off 1 .12 .26 .12 .06 .12 >"$work/ring"
+python3 "$here/mark_mesh.py" dabs homer.off .03 0 -.08 -.3 .15 1 .08 -.3 .15 2 0 -.02 .15 >"$work/dabs"
+view constrained diplodocus.off 10 15 -k 5 --constraints "$work/ring"
+view unseeded homer.off 20 10 -k 5
+view seeded homer.off 20 10 -k 5 --seeds "$work/dabs"
+row marks 360 k4 constrained unseeded seeded
 
-view coarse elephant 60 15 -k 12
-view fine refined_elephant 60 15 -k 12
-row resolution 260 coarse fine
+view sphere sphere.off -60 15 -k 2
+view planes head.off -80 10
+view mask nefertiti.off 20 10
+row failures 320 sphere planes mask
 
-view rough bunny00 40 15 -k 8 --method two-step
-view smooth bunny00 40 15 -k 8 --method two-step --smooth-borders
-crop rough 70%x60%
-crop smooth 70%x60%
-row borders 260 rough smooth
-
-mark ring ring diplodocus 1 0.12 0.26 0.12 0.06 0.12
-view unconstrained diplodocus 10 15 -k 4
-view constrained diplodocus 10 15 -k 5 --constraints "$work/ring"
-row constraints 240 unconstrained constrained
-
-mark dabs dabs homer 0.03 0 -0.08 -0.3 0.15 1 0.08 -0.3 0.15 2 0 -0.02 0.15
-view unseeded homer 20 10 -k 5
-view seeded homer 20 10 -k 5 --seeds "$work/dabs"
-row seeds 300 unseeded seeded
-
-view mask nefertiti 20 10
-view mask_few nefertiti 20 10 -k 6
-row open_surfaces 240 mask mask_few
-
-view sphere sphere -60 15 -k 2
-view planes head -80 10
-view noisy fandisk 30 25 --method smooth-faces
-row failures 220 sphere planes noisy
+view growing fandisk.off 30 25 --method two-step --features all --max-angle 20 -k 19
+view creases couplingdown.off 30 25 --method two-step --features all --max-angle 20 -k 12
+row features 320 growing creases
 
 # The page, as a browser shows it.
-"$program" --quiet "$meshes/triceratops.off" -o "$work/triceratops.html" >"$work/page.txt"
+"$program" triceratops.off -o "$work/triceratops.html"
 chromium --headless=new --no-sandbox --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --hide-scrollbars \
-  --window-size=1100,700 --virtual-time-budget=30000 --screenshot="$work/page.png" "file://$work/triceratops.html"
+  --window-size=1100,700 --virtual-time-budget=30000 --screenshot="$work/page.png" "file://$work/triceratops.html" 2>/dev/null
 small "$work/page.png" "$figures/page.png"
-
-# web.png is a picture of the page of examples/web on which two strokes were drawn.
