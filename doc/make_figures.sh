@@ -93,7 +93,7 @@ view unseeded homer.off 20 10 -k 5
 view seeded homer.off 20 10 -k 5 --seeds "$work/dabs"
 row marks 360 k4 constrained unseeded seeded
 
-view sphere sphere.off -60 15 -k 2
+view sphere sphere.off -110 15 -k 2
 view planes head.off -80 10
 view mask nefertiti.off 20 10
 row failures 320 sphere planes mask

@@ -30,7 +30,7 @@ Regions need not be connected. A method that cannot meet constraints or seeds th
 `Invalid_input`.
 
 Nothing else is looked for in a method. What it can do is said by the type that `merge()` returns. A
-method of a user's own is shown in \ref RegionSegmentationOwnMethod "the user manual".
+method of a user's own is shown in \ref RegionSegmentationOwnMethod.
 
 \cgalHasModel `CGAL::Region_segmentation::Learned_merging`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
