@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// segment_by_sdf MESH.off: prints the label of each face by the SDF segmentation of CGAL with its defaults, for the
-// figure that shows it beside this package.
+// segment_by_sdf MESH.off: prints the label of each face by the SDF segmentation of CGAL with its
+// defaults, for the figure that shows it beside this package.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
