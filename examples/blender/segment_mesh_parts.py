@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""An add-on of Blender: the parts of the active mesh as an integer attribute of its faces, and as
-material slots.
+"""An add-on of Blender: the parts of the active mesh as an integer attribute of its faces, and, if
+asked for, as material slots.
 
-It needs the Python module region_segmentation (examples/python) where Blender's Python finds it.
+It needs the Python package region_segmentation (examples/python) where Blender's Python finds it.
 Edges that are marked sharp can be borders.
 """
 
 import colorsys
+import sys
 
 import bpy
 import numpy
-import region_segmentation
+
+try:
+    import region_segmentation
+except ImportError:
+    region_segmentation = None
 
 bl_info = {
     "name": "Segment into Parts",
@@ -38,12 +43,11 @@ def array_of(collection, name, shape, dtype):
 
 def segment(mesh, **options):
     """The segment of each face of a bpy.types.Mesh; options as of region_segmentation.segment()."""
-    return region_segmentation.segment(
-        array_of(mesh.vertices, "co", (len(mesh.vertices), 3), "f4"),
-        array_of(mesh.loops, "vertex_index", len(mesh.loops), "i4"),
-        face_sizes=array_of(mesh.polygons, "loop_total", len(mesh.polygons), "i4"),
-        **options,
-    )
+    corners = array_of(mesh.loops, "vertex_index", len(mesh.loops), "i4")
+    starts = array_of(mesh.polygons, "loop_start", len(mesh.polygons), "i4")
+    sizes = array_of(mesh.polygons, "loop_total", len(mesh.polygons), "i4")
+    points = array_of(mesh.vertices, "co", (len(mesh.vertices), 3), "f4")
+    return region_segmentation.segment(points, numpy.insert(corners, starts, sizes), **options)
 
 
 def sharp_edges(mesh):
@@ -53,7 +57,7 @@ def sharp_edges(mesh):
 
 def write_attribute(mesh, labels):
     attribute = mesh.attributes.get("segment") or mesh.attributes.new("segment", "INT", "FACE")
-    attribute.data.foreach_set("value", labels.astype("i4"))
+    attribute.data.foreach_set("value", labels)
 
 
 def write_materials(mesh, labels):
@@ -64,7 +68,7 @@ def write_materials(mesh, labels):
         # Hues that differ by the golden section are far from those before.
         material.diffuse_color = (*colorsys.hsv_to_rgb(i * 0.618034 % 1, 0.6, 0.9), 1)
         mesh.materials.append(material)
-    mesh.polygons.foreach_set("material_index", labels.astype("i4"))
+    mesh.polygons.foreach_set("material_index", labels)
 
 
 class SegmentIntoParts(bpy.types.Operator):
@@ -77,13 +81,16 @@ class SegmentIntoParts(bpy.types.Operator):
     number: bpy.props.IntProperty(name="Number", description="0 lets the method choose it", min=0)
     method: bpy.props.EnumProperty(name="Method", items=METHODS)
     sharp_edges_are_borders: bpy.props.BoolProperty(name="Sharp edges are borders")
-    make_materials: bpy.props.BoolProperty(name="Material slots", default=True)
+    make_materials: bpy.props.BoolProperty(name="Replace the materials", description="A material for each part")
 
     @classmethod
     def poll(cls, context):
         return context.mode == "OBJECT" and context.object is not None and context.object.type == "MESH"
 
     def execute(self, context):
+        if region_segmentation is None:
+            self.report({"ERROR"}, f"The Python package region_segmentation is missing: install it for {sys.executable}")
+            return {"CANCELLED"}
         mesh = context.object.data
         options = {"method": self.method, "number_of_segments": self.number or None}
         if self.sharp_edges_are_borders:

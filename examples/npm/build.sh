@@ -22,11 +22,11 @@ fi
 mkdir -p "$build/include"
 ln -sfn /usr/include/CGAL /usr/include/boost /usr/include/eigen3/Eigen "$build/include"
 cd "$root/examples/npm"
-cp package.json index.mjs index.d.ts "$root/LICENSE" "$build"
+cp package.json README.md index.mjs index.d.ts "$root/LICENSE" "$build"
 export NODE_PATH="/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}" # acorn, which shortens the scripts
 em++ -std=c++17 -O2 -ffp-contract=off -fwasm-exceptions -DNDEBUG -DCGAL_DISABLE_GMP -DCGAL_NO_GMP \
-  -I "$root/include" -isystem "$build/include" engine.cpp --bind -sSINGLE_FILE -sMODULARIZE \
-  -sEXPORT_ES6 -sUSE_ES6_IMPORT_META=0 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
+  -I "$root/include" -I "$root/examples/segment_mesh" -isystem "$build/include" engine.cpp --bind \
+  -sSINGLE_FILE -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META=0 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
   -sMAXIMUM_MEMORY=4GB -sFILESYSTEM=0 -o "$build/engine.mjs"
 cd "$build"
 npm pack --silent

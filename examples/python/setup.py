@@ -1,31 +1,44 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 import os
+import shutil
 
 from pybind11.setup_helpers import Pybind11Extension
 from setuptools import setup
+from setuptools.command.sdist import sdist
 
-folder = os.path.dirname(os.path.abspath(__file__))
-library = os.path.join(folder, "..", "..", "include")
+here = os.path.dirname(os.path.abspath(__file__))
+# What lies outside this folder in a checkout, and in it in a source distribution.
+outside = ["include", "examples/segment_mesh/segmentation", "examples/segment_mesh/soup", "LICENSE"]
+root = here if os.path.exists(os.path.join(here, "include")) else os.path.join(here, "..", "..")
+
+
+class Sdist(sdist):
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        for path in outside:
+            copy = shutil.copytree if os.path.isdir(os.path.join(root, path)) else shutil.copy
+            copy(os.path.join(root, path), os.path.join(base_dir, path))
+
 
 setup(
-    packages=["region_segmentation-stubs"],
-    package_data={"region_segmentation-stubs": ["*.pyi"]},
+    cmdclass={"sdist": Sdist},
+    packages=["region_segmentation"],
+    package_data={"region_segmentation": ["py.typed"]},
     ext_modules=[
         Pybind11Extension(
-            "region_segmentation",
-            [
-                "region_segmentation.cpp",
-                "Soup.cpp",
-                "describe.cpp",
-                "../segment_mesh/segmentation/make_manifold.cpp",
-                "../segment_mesh/soup/link_corners.cpp",
+            "region_segmentation._core",
+            ["core.cpp", "segments.cpp"],
+            depends=["core.h"],
+            include_dirs=[
+                os.path.join(root, "include"),
+                os.path.join(root, "examples", "segment_mesh"),
+                "/usr/include/eigen3",
             ],
-            include_dirs=[os.path.relpath(library, folder), "../segment_mesh", "/usr/include/eigen3"],
-            libraries=["gmp", "mpfr"],
-            define_macros=[("NDEBUG", None)],
+            libraries=["gmp", "mpfr", "tbb"],
+            define_macros=[("NDEBUG", None), ("CGAL_LINKED_WITH_TBB", None)],
             extra_compile_args=["-ffp-contract=off"],
             cxx_std=17,
         )
-    ]
+    ],
 )

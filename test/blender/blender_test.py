@@ -35,15 +35,18 @@ def attribute(mesh):
 def test():
     points, faces = grid(10)
     mesh = add_object(points, faces)
+    mesh.materials.append(bpy.data.materials.new("of a user"))
     assert bpy.ops.object.segment_into_parts(number=5) == {"FINISHED"}
+    assert [m.name for m in mesh.materials] == ["of a user"]
+    assert bpy.ops.object.segment_into_parts(number=5, make_materials=True) == {"FINISHED"}
     labels = attribute(mesh)
     assert labels == region_segmentation.segment(points, faces, 5).tolist() and max(labels) == 4
     assert [p.material_index for p in mesh.polygons] == labels
     assert [m.name for m in mesh.materials] == [f"segment {i}" for i in range(5)]
     assert len({tuple(m.diffuse_color) for m in mesh.materials}) == 5
 
-    # Again, for fewer, without materials: those of before stay.
-    assert bpy.ops.object.segment_into_parts(number=2, make_materials=False) == {"FINISHED"}
+    # Again, for fewer: the materials of before stay.
+    assert bpy.ops.object.segment_into_parts(number=2) == {"FINISHED"}
     assert max(attribute(mesh)) == 1 and len(mesh.materials) == 5
 
     # A chosen number.
@@ -65,6 +68,14 @@ def test():
     except RuntimeError as error:
         assert "vertex 5 is not finite" in str(error), error
     assert "segment" not in mesh.attributes
+
+    # A Python without the package.
+    add_on.region_segmentation = None
+    try:
+        bpy.ops.object.segment_into_parts()
+        raise AssertionError("no error")
+    except RuntimeError as error:
+        assert "package region_segmentation is missing" in str(error), error
 
 
 try:

@@ -8,7 +8,7 @@ if ! command -v blender >/dev/null; then
   echo "Skipped: there is no blender"
   exit 77
 fi
-PYTHONPATH=$("$1" -c 'import os, region_segmentation as module; print(os.path.dirname(module.__file__))') || exit 77
+PYTHONPATH=$("$1" -c 'import pathlib, region_segmentation as r; print(pathlib.Path(r.__file__).parent.parent)') || exit 77
 export PYTHONPATH
 if ! blender --background --python-exit-code 1 --python-expr 'import region_segmentation' >/dev/null 2>&1; then
   echo "Skipped: this blender does not start, or does not load the module for $1"

@@ -4,9 +4,9 @@
 
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {readFileSync} from "node:fs";
+import {readFileSync, writeFileSync} from "node:fs";
 import {test} from "node:test";
-import {segment} from "region-segmentation";
+import {segment, Segmenter} from "region-segmentation";
 
 const [program, folder, ...meshes] = process.argv.slice(2);
 const labelsOf = file => readFileSync(file, "utf8").trim().split("\n").map(Number);
@@ -49,6 +49,22 @@ test("arrays of other forms", async () => {
   assert.ok(expected instanceof Uint32Array);
 });
 
+test("prepared once", async () => {
+  const {points, faces} = strip(6);
+  const segmenter = await Segmenter.create(points, faces, {method: "visibility"});
+  for (const numberOfSegments of [2, 4, undefined])
+    assert.deepEqual(segmenter.segment(numberOfSegments), await segment(points, faces, {method: "visibility", numberOfSegments}));
+  assert.throws(() => segmenter.segment(1.5), /^TypeError: numberOfSegments: not/);
+  segmenter.free();
+  assert.throws(() => segmenter.segment(2));
+});
+
+test("the example of the README", async () => {
+  const [, example] = readFileSync("node_modules/region-segmentation/README.md", "utf8").match(/```js\n(.*?)```/s);
+  writeFileSync("example.mjs", example);
+  assert.equal(execFileSync("node", ["example.mjs"], {encoding: "utf8"}).match(/Uint32Array\(4\)/g).length, 3);
+});
+
 test("constraints and seeds", async () => {
   const {points, faces} = strip(6);
   assert.deepEqual([...await segment(points, faces, {numberOfSegments: 1, constrainedEdges: [[4, 5]]})], [0, 0, 1, 1, 1, 1]);
@@ -73,7 +89,9 @@ test("errors name the place", async () => {
   assert.match(await error([...points, [0, 1]], faces), /^points: not/);
   assert.match(await error(points, faces, {numberOfSegments: 0}), /^numberOfSegments: not/);
   assert.match(await error(points, faces, {method: "x"}), /^method: not/);
-  assert.match(await error(points, faces, {method: "two-step"}), /needs numberOfSegments/);
+  assert.match(await error(points, faces, {method: "two-step"}), /needs the number of segments/);
+  assert.match(await error(points, faces, {constrainedEdges: [[0, 13]]}), /no edge between points 0 and 13/);
+  assert.match(await error(points, [0, 1, 1.5]), /index 1.5 is out of range/);
   assert.match(await error(points, faces, {seeds: [1]}), /^seeds: not/);
-  assert.match(await error([[NaN, 0, 0], ...points.slice(1)], faces), /0/);
+  assert.equal(await error([[NaN, 0, 0], ...points.slice(1)], faces), "the point of vertex 0 is not finite");
 });

@@ -4,10 +4,10 @@
 
 #include "read/Text_scanner.h"
 #include "read/load_bytes.h"
+#include "soup/Edge_list.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <string>
 
 namespace segment_mesh {
@@ -23,42 +23,6 @@ std::size_t index_below(const Text_scanner& scan, std::string_view word, std::si
     scan.fail(in_quotes(word) + " is out of range: there are " + counted(number, what));
   return std::size_t(index);
 }
-
-Vertex_pair sorted_pair(std::size_t a, std::size_t b)
-{
-  const auto [low, high] = std::minmax(a, b);
-  return {low, high};
-}
-
-/// The edges of polygons. Points at the same place are one.
-class Edge_list
-{
-public:
-  explicit Edge_list(const Polygon_soup& soup)
-  {
-    std::map<Point, std::size_t> first;
-    for (std::size_t i = 0; i < soup.points.size(); ++i)
-      m_first.push_back(first.emplace(soup.points[i], i).first->second);
-    for (const Polygon_soup::Polygon& polygon : soup.polygons)
-      for (std::size_t i = 0; i < polygon.size(); ++i)
-        m_edges.push_back(edge(polygon[i], polygon[(i + 1) % polygon.size()]));
-    std::sort(m_edges.begin(), m_edges.end());
-  }
-
-  bool has(std::size_t a, std::size_t b) const
-  {
-    return std::binary_search(m_edges.begin(), m_edges.end(), edge(a, b));
-  }
-
-private:
-  Vertex_pair edge(std::size_t a, std::size_t b) const
-  {
-    return sorted_pair(m_first[a], m_first[b]);
-  }
-
-  std::vector<std::size_t> m_first; // for each point the first one at its place
-  std::vector<Vertex_pair> m_edges;
-};
 
 std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& input)
 {
@@ -78,7 +42,7 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& i
       if (!edges.has(from, to))
         scan.fail("no edge joins the points " + std::to_string(from) + " and " +
                   std::to_string(to));
-      result.push_back(sorted_pair(from, to));
+      result.push_back({(std::min)(from, to), (std::max)(from, to)});
       from = to;
     }
   }
