@@ -3,6 +3,7 @@
 import importlib.metadata
 import inspect
 import os
+import pathlib
 import re
 import signal
 import subprocess
@@ -86,19 +87,6 @@ def test_constrained_edges_are_borders():
     assert (labels == halves(10)).all()
 
 
-def faces_of_different_sizes():
-    """Faces in each form, and their labels."""
-    points, faces = grid(10, 1)
-    quads = numpy.concatenate([faces[::2], faces[1::2, 2:]], 1)
-    mixed = quads[:50].tolist() + faces[100:].tolist()
-    padded = numpy.array([i for face in mixed for i in (len(face), *face)], "u2")
-    cells = [types.SimpleNamespace(type="quad", data=quads[:50]), types.SimpleNamespace(type="line", data=[[0, 1]]),
-             types.SimpleNamespace(type="triangle", data=faces[100:])]
-    yield quads, halves(10)[::2]
-    for form in mixed, [numpy.array(face) for face in mixed], padded, padded.tolist(), cells:
-        yield form, [0] * 50 + [1] * 100
-
-
 def test_arrays_of_other_types_and_orders():
     points, faces = grid(10, 1)
     expected = segment(points, faces, 4)
@@ -110,22 +98,27 @@ def test_arrays_of_other_types_and_orders():
 def meshes(points, faces):
     """Objects with the attributes of meshes of trimesh, Open3D, PyVista and meshio; and a tuple."""
     padded = numpy.insert(faces, 0, faces.shape[1], 1).reshape(-1)
-    name = "triangle" if faces.shape[1] == 3 else "quad"
     yield types.SimpleNamespace(vertices=points, faces=faces)
     yield types.SimpleNamespace(vertices=memoryview(points), triangles=memoryview(faces))
     yield types.SimpleNamespace(points=points, faces=padded)
-    yield types.SimpleNamespace(points=points, cells=[types.SimpleNamespace(type=name, data=faces)])
+    yield types.SimpleNamespace(points=points, cells=[types.SimpleNamespace(type="triangle", data=faces)])
     yield points, faces
 
 
+def test_faces_of_different_sizes():
+    points, faces = grid(10, 1)
+    quads = numpy.concatenate([faces[::2], faces[1::2, 2:]], 1)
+    assert (segment(points, quads, 2, method="two-step") == halves(10)[::2]).all()
+    mixed = quads[:50].tolist() + faces[100:].tolist()
+    padded = numpy.array([i for face in mixed for i in (len(face), *face)], "u2")
+    block = types.SimpleNamespace
+    cells = [block(type="quad", data=quads[:50]), block(type="line", data=[[0, 1]]), block(type="triangle", data=faces[100:])]
+    for form in mixed, [numpy.array(face) for face in mixed], padded, padded.tolist(), cells:
+        mesh = types.SimpleNamespace(points=points, cells=cells) if form is cells else (points, form)
+        assert (segment(mesh, number_of_segments=2, method="two-step") == [0] * 50 + [1] * 100).all()
+
+
 def test_meshes_of_other_libraries():
-    points = grid(10, 1)[0]
-    for faces, expected in faces_of_different_sizes():
-        if isinstance(faces, list) and hasattr(faces[0], "type"):
-            labels = segment(types.SimpleNamespace(points=points, cells=faces), number_of_segments=2, method="two-step")
-        else:
-            labels = segment(points, faces, 2, method="two-step")
-        assert (labels == expected).all()
     mesh = grid(10, 1)
     for other in meshes(*mesh):
         assert (segment(other, number_of_segments=2, method="two-step") == halves(10)).all()
@@ -316,7 +309,8 @@ def test_wrong_input_is_named():
     assert message(points, [[0, 1, 2], [0, 1, 2, -1]], kind=invalid) == "face 1, from 0: index -1 is out of range: there are 16 points"
     assert message(points, [[0, 1, 2], []], kind=invalid) == "face 1, from 0: has no corners"
     assert message(points, [3, 0, 1, 2, 4, 0, 1, 2]) == "faces: the padded array ends within its last face"
-    assert message(points, [3, 0, 1, 2, -4, 0], kind=invalid).startswith("face 1, from 0: has no corners")
+    for sizes in (0, 3, 0, 1, 2), (-4, 3, 0, 1, 2):
+        assert message(points, sizes, kind=invalid) == "face 0, from 0: has no corners"
     assert message(points, faces, seeds=[1]) == "seeds: not an int32 for each face, -1 for none"
     for name, function in ("number_of_segments", segment), ("threads", Segmenter):
         for number, kind in (0, ValueError), (-(10**30), ValueError), (2.5, TypeError), (True, TypeError), (numpy.True_, TypeError), ("2", TypeError):
@@ -330,7 +324,8 @@ def test_wrong_input_is_named():
     assert message(points, faces, method="x").startswith("method: not learned")
     assert message(points, faces, kind=invalid, constrained_edges=[[0, 9]]) == "constrained edges: there is no edge between points 0 and 9"
     assert message(points, faces, kind=invalid, constrained_edges=[[0, 16]]).startswith("constrained edges: index 16 is out of range")
-    assert message(points, faces, constrained_edges=[0, 1]) == "constrained_edges: not an array of (n, 2) indices"
+    for edges in [0, 1], [[0, 1, 2]]:
+        assert message(points, faces, constrained_edges=edges) == "constrained_edges: not an array of (n, 2) indices"
     expected = "labels: not an int32 for each face, -1 for none"
     for labels, kind in ([1, 2], ValueError), ([2**31] * 18, ValueError), ([0.5] * 18, TypeError):
         for name in "segment_borders", "describe_segments", "close_segments", "smooth_borders":
@@ -399,9 +394,10 @@ def test_progress_of_a_segmenter_that_merges_again():
 
 @pytest.mark.parametrize("name, keywords", FUNCTIONS[1:3])
 def test_control_c_interrupts(name, keywords):
-    function, mesh = getattr(region_segmentation, name), grid(200, 1)
+    function, mesh, fractions = getattr(region_segmentation, name), grid(300, 1), []
     begin = time.monotonic()
-    function(*mesh, **keywords)
+    function(*mesh, **keywords, progress=lambda stage, fraction: fractions.append(fraction))
+    assert any(0 < fraction < 1 for fraction in fractions)
     whole = time.monotonic() - begin
     timer = threading.Timer(whole / 5, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
@@ -428,7 +424,7 @@ def test_examples_of_the_readme(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "trimesh", types.SimpleNamespace(load_mesh=lambda name: like_trimesh))
     monkeypatch.setitem(sys.modules, "open3d", types.SimpleNamespace(io=io))
     monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(read=lambda name: like_pyvista))
-    readme = open(os.environ["README"]).read()
+    readme = (pathlib.Path(__file__).parents[2] / "examples/python/README.md").read_text()
     examples = re.findall(r"```python\n(.*?)```", readme, re.S)
     assert len(examples) == 4
     for example in examples:

@@ -20,5 +20,4 @@ cd "$2/examples/python"
 CFLAGS="-O1 -g0" "$python" -m pip --python "$1/venv/bin/python" install --quiet --no-build-isolation \
   --no-deps --no-index "$1"/region-segmentation-*.tar.gz
 cd "$1"
-PYTHONDONTWRITEBYTECODE=1 README="$2/examples/python/README.md" \
-  "$1/venv/bin/python" -m pytest -q -p no:cacheprovider "$here"
+PYTHONDONTWRITEBYTECODE=1 "$1/venv/bin/python" -m pytest -q -p no:cacheprovider "$here"
