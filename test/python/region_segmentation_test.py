@@ -363,8 +363,8 @@ def test_threads():
         points = numpy.random.default_rng(0).random((30000, 3))
         region_segmentation.segment(points, numpy.arange(30000).reshape(-1, 3), 2, "two-step", threads=int(sys.argv[1]))
         print(len(os.listdir("/proc/self/task")))"""
-    numbers = [int(subprocess.check_output([sys.executable, "-c", code, n], text=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})) for n in "12"]
-    assert numbers[0] == 1 and (numbers[1] > 1 or os.cpu_count() == 1)
+    numbers = [int(subprocess.check_output([sys.executable, "-c", code, n], text=True)) for n in "12"]
+    assert numbers[1] > numbers[0] or os.cpu_count() == 1
     mesh = grid(40, 1)
     assert (segment(*mesh, 5, threads=1) == segment(*mesh, 5, threads=2)).all()
 
