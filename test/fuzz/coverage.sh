@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 dir=$(cd "$1" && pwd)
 shift
-targets=${*:-read_off read_obj read_ply read_stl inflate_gzip read_labels command_line segment_soup segment_mesh use_segments}
+targets=${*:-read_off read_obj read_ply read_stl read_labels command_line segment_soup segment_mesh use_segments}
 
 cmake -S "$here" -B "$dir/coverage" -DCMAKE_CXX_COMPILER="${CLANGXX:-clang++}" \
   -Dcoverage="-fprofile-instr-generate;-fcoverage-mapping" >/dev/null

@@ -2,7 +2,7 @@
 
 // Any bytes, read as a file of one format: a usable soup, or one line that names file and cause.
 
-#include "read/read_soup.h"
+#include "read/read_mesh.h"
 #include "read/errors.h"
 #include "require.h"
 #include "soup/vector_algebra.h"

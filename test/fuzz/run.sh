@@ -25,7 +25,7 @@ fi
 
 cmake -S "$here" -B "$dir" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
 if [ "$target" = all ]; then
-  set -- read_off read_obj read_ply read_stl read_gltf inflate_gzip read_labels command_line segment_soup segment_mesh use_segments -- "$@"
+  set -- read_off read_obj read_ply read_stl read_gltf read_labels command_line segment_soup segment_mesh use_segments -- "$@"
 else
   set -- "$target" -- "$@"
 fi

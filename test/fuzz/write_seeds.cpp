@@ -5,8 +5,6 @@
 #include "sample_files.h"
 #include "soup/Polygon_soup.h"
 
-#include <zlib.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -41,6 +39,7 @@ void write_off(Corpus corpus)
   corpus.add(sample::off());
   corpus.add(with(sample::off(), "OFF\n4 4 0", "OFF4 4 0"));
   corpus.add("4OFF\n3 1 0 # x\n0 0 0 1\n2 0 0 2\n0 1e-3 +0.5E1 1\n3 0 1 2 255 0 0\n");
+  corpus.add("COFF 3 1 0 0 0\r0 1 0 0 1\n1 0 0 1 0 0 1 0 1 0 0 1 3 0\n1 2");
   corpus.add("STCNOFF\r\n3 1 0\r\n0 0 0 0 0 1\r\n1 0 0 0 0 1\r\n0 1 0 0 0 1\r\n3 0 1 2\r\n");
 }
 
@@ -87,19 +86,6 @@ void write_gltf(Corpus corpus)
                               R"({"mesh":0,"rotation":[0,0,1,1],"scale":[1,2,-3]})")));
   corpus.add(
     sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
-}
-
-void write_gzip(Corpus corpus, const std::filesystem::path& root)
-{
-  const std::string file = (root / "x.gz").string();
-  const gzFile out = gzopen(file.c_str(), "wb");
-  gzwrite(out, sample::off().data(), unsigned(sample::off().size()));
-  gzclose(out);
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  corpus.add(bytes);
-  corpus.add(bytes + bytes);
-  std::filesystem::remove(file);
 }
 
 void write_labels(Corpus corpus)
@@ -225,7 +211,6 @@ int main(int argc, char** argv)
   write_ply({root, "read_ply"});
   write_stl({root, "read_stl"});
   write_gltf({root, "read_gltf"});
-  write_gzip({root, "inflate_gzip"}, root);
   write_labels({root, "read_labels"});
   write_command_lines({root, "command_line"});
   write_soups({root, "segment_soup"});

@@ -6,7 +6,7 @@
 // hexadecimal.
 
 #include "read/errors.h"
-#include "read/read_soup.h"
+#include "read/read_mesh.h"
 #include "models/machine_parts.h"
 #include "models/procedural_models.h"
 

@@ -3,7 +3,8 @@
 #include "read/read_mesh.h"
 
 #include "Temporary_folder.h"
-#include "read/errors.h"
+#include "batch/scores.h"
+#include "read/read_marks.h"
 #include "sample_files.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <regex>
 
 namespace read_mesh_test {
 
@@ -67,6 +69,32 @@ const std::string rich_obj =
   "g a\nusemtl red\ns off\nf 1/1/1 3/1/1 2/1/1\nf\t1//1\t2//1\t4//1\nv 0 0 1\nf -3 -2 -1\nf 1/1 "
   "4/1 3/1\n"
   "l 1 2 3\n";
+/// The text with each character of `from` replaced.
+std::string changed(std::string text, char from, const std::string& to)
+{
+  std::string result;
+  for (const char c : text)
+    result += c == from ? to : std::string(1, c);
+  return result;
+}
+
+const std::string off_in_words = "OFF # x\n4 # vertices\n4\n0 0 0 0 1 0 0 0\n1 0 0\n0\n1 3 0\n2 1 "
+                                 "# face\n3 0 1 3 3 1 2 3 3\n0 3 2\n";
+const std::string
+  off_in_words_with_colors = "COFF 4 4 0\n0 0 0 1 0 0 1 1 0 0 1 0\n0 1 0 1 0 .5 .5\n.5 1 0 0 1 0 0 "
+                             "1 1\n3 0\n2 1 255 0 0\n3 0 1 3\n3 1\n2 3 0.5 1\n3 0 3 2 7\n";
+const std::string stl_with_more_words = with(with(sample::stl(), "outer", "color 1 0 0\nouter"),
+                                             "facet", "color 1 0 0\nfacet");
+
+/// The header's lines end with carriage returns alone, and the data begin with a line feed.
+std::string ply_of_returns(const std::string& format)
+{
+  const std::string header = sample::ply_header(format);
+  const std::string start = with(header, "element vertex",
+                                 "element x 1\nproperty char w\nelement vertex");
+  return changed(start, '\n', "\r") + "\n" + sample::binary_ply(format).substr(header.size());
+}
+
 const std::string continued_obj = "v 0 0 \\\n0\nv 1 \\ \r\n\\\n 0 0\nl 1 2 \\\n 1\nv 0 1 0 # not "
                                   "continued \\\nv 0 0 1\nf 1\\\n3 2\nf 1 2 4\n"
                                   "f 2 3 4\nf 1 4 3\\\n";
@@ -123,6 +151,14 @@ INSTANTIATE_TEST_SUITE_P(
   testing::Values(
     Sample{"off", "a.off", sample::off()}, Sample{"ending", "A.OFF", sample::off()},
     Sample{"off_crlf", "a.off", crlf_off}, Sample{"off_colored", "a.off", colored_off},
+    Sample{"off_cr", "a.off", changed(sample::off(), '\n', "\r")},
+    Sample{"off_mixed_lines", "a.off", with(crlf_off, "1 0 0\r\n", "1 0 0\r# x\n\n\r")},
+    Sample{"off_colored_cr", "a.off", with(changed(colored_off, '\n', "\r"), "STCN", "NCST")},
+    Sample{"off_word_a_line", "a.off", changed(sample::off(), ' ', "\n")},
+    Sample{"off_on_a_line", "a.off", changed(sample::off(), '\n', "\t")},
+    Sample{"off_two_faces_on_a_line", "a.off", with(sample::off(), "3 1 2 3\n", "3 1 2 3 ")},
+    Sample{"off_in_words", "a.off", off_in_words},
+    Sample{"off_in_words_with_colors", "a.off", off_in_words_with_colors},
     Sample{"off_one_header_line", "a.off", with(sample::off(), "OFF\n", "OFF ")},
     Sample{"off_homogeneous", "a.off",
            "4OFF\n4 4 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n0 0 3 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
@@ -131,6 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
     Sample{"obj_byte_order_mark", "a.obj", "\xef\xbb\xbf" + sample::obj()},
     Sample{"obj_continued", "a.obj", continued_obj},
+    Sample{"obj_cr", "a.obj", changed(rich_obj, '\n', "\r")},
+    Sample{"obj_capitals", "a.obj", boost::algorithm::to_upper_copy(rich_obj)},
     Sample{"obj_faces_first", "a.obj",
            "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1"},
     Sample{"ply", "a.ply", sample::ply()}, Sample{"ply_rich", "a.ply", rich_ply},
@@ -143,11 +181,27 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"ply_not_a_number_elsewhere", "a.ply",
            with(with(sample::ply(), "element face", "property float quality\nelement face"),
                 "0 0 0\n1 0 0\n0 1 0\n0 0 1", "0 0 0 nan\n1 0 0 inf\n0 1 0 1\n0 0 1 -")},
+    Sample{"ply_cr", "a.ply", changed(rich_ply, '\n', "\r")},
+    Sample{"ply_crlf", "a.ply", changed(rich_ply, '\n', "\r\n")},
+    Sample{"ply_capitals", "a.ply",
+           with(with(sample::ply(), "ply\nformat", "PLY\nFORMAT"), "ascii", "ASCII")},
+    Sample{"ply_little_cr", "a.ply", ply_of_returns("binary_little_endian")},
+    Sample{"ply_big_cr", "a.ply", ply_of_returns("binary_big_endian")},
     Sample{"ply_strips", "a.ply", strips_ply("ascii")},
     Sample{"ply_strips_little", "a.ply", strips_ply("binary_little_endian")},
     Sample{"ply_strips_big", "a.ply", strips_ply("binary_big_endian")},
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
+    Sample{"stl_cr", "a.stl", changed(sample::stl(), '\n', "\r")},
+    Sample{"stl_on_a_line", "a.stl", changed(sample::stl(), '\n', " ")},
+    Sample{"stl_two_solids_on_a_line", "a.stl",
+           changed(with(sample::stl(), "endfacet\n", "endfacet\nendsolid solid\nsolid second\n"),
+                   '\n', " ")},
+    Sample{"stl_word_a_line", "a.stl",
+           changed(with(with(sample::stl(), " tetrahedron", ""), " tetrahedron", ""), ' ', "\n")},
+    Sample{"stl_colors", "a.stl", stl_with_more_words},
+    Sample{"stl_end_in_two_words", "a.stl",
+           std::regex_replace(sample::stl(), std::regex("end"), "end ")},
     Sample{"stl_byte_order_mark", "a.stl", "\xef\xbb\xbf" + sample::stl()},
     Sample{"stl_capitals", "a.stl", boost::algorithm::to_upper_copy(sample::stl())},
     Sample{"stl_name", "a.stl", with(sample::stl(), "tetrahedron", "facet vertex endsolid")},
@@ -157,6 +211,20 @@ INSTANTIATE_TEST_SUITE_P(
            with(sample::stl(), "endfacet\n", "endfacet\nendsolid\n\nsolid second\n")},
     Sample{"stl_solid_binary", "a.stl", sample::binary_stl("solid facet vertex")}),
   [](const auto& info) { return info.param.name; });
+
+TEST(Labels_and_marks, may_end_lines_with_carriage_returns)
+{
+  const Temporary_folder folder;
+  Input_mesh input = read_mesh(folder.write("a.off", sample::off()));
+  const std::string labels = folder.write("a.seg", "5\r# x\r6\r\n7\n8\r");
+  EXPECT_EQ(read_truth(labels, 4, input.remarks).labels, (std::vector<std::int64_t>{5, 6, 7, 8}));
+  const Marks marks = read_marks(
+    {"", folder.write("a.txt", "0 1\r1 2\r"), folder.write("b.txt", "1 3\r2 4\r")}, input);
+  EXPECT_EQ(marks.constrained_edges, (std::vector<Vertex_pair>{{0, 1}, {1, 2}}));
+  EXPECT_EQ(marks.seed_of_face, (std::vector<std::size_t>{no_seed, 3, 4, no_seed}));
+  EXPECT_THROW(read_truth(folder.write("c.seg", std::string("\xff\xfe\0\0", 4)), 4, input.remarks),
+               Input_error);
+}
 
 TEST(Unknown_statements, are_skipped_with_a_remark)
 {
@@ -169,45 +237,25 @@ TEST(Unknown_statements, are_skipped_with_a_remark)
   EXPECT_EQ(remarks("\nhello\nworld\nhello\n"), Remarks{start + ", and 2 more"});
 }
 
-TEST(Lines_of_off, beyond_the_header_are_not_read_with_a_remark)
+TEST(Rest_of_a_file, is_not_read_with_a_remark)
 {
   const Temporary_folder folder;
-  const auto remarks = [&folder](const std::string& end) {
-    return read_mesh(folder.write("a.off", sample::off() + end)).remarks;
+  const auto expect_remark = [&folder](const std::string& name, const std::string& bytes,
+                                       const std::string& remark) {
+    const std::string file = folder.write(name, bytes);
+    EXPECT_EQ(read_mesh(file).remarks, remark.empty() ? Remarks() : Remarks{file + remark});
   };
-  EXPECT_EQ(remarks("\n# the end\n\n"), Remarks{});
-  const std::string text = sample::off();
-  const auto lines = std::size_t(std::count(text.begin(), text.end(), '\n'));
-  EXPECT_EQ(remarks("\n3 0 1 2\n3 0 1 2\n"),
-            Remarks{folder.path("a.off") + ":" + std::to_string(lines + 2) +
-                    ": not read, nor what follows: the header promises 4 faces"});
-}
-
-TEST(Items_of_ply, beyond_the_header_are_not_read_with_a_remark)
-{
-  const Temporary_folder folder;
-  const auto remarks = [&folder](const std::string& bytes) {
-    return read_mesh(folder.write("a.ply", bytes)).remarks;
-  };
-  const std::string start = folder.path("a.ply") + ":",
-                    end = ": the header promises 4 items of element 'face'";
-  const std::string text = sample::ply();
-  const auto lines = std::size_t(std::count(text.begin(), text.end(), '\n'));
-  EXPECT_EQ(remarks(text + "\n \n"), Remarks{});
-  EXPECT_EQ(remarks(text + "\n3 0 1 2\n3 0 1 2\n"),
-            Remarks{start + std::to_string(lines + 2) + ": not read, nor what follows" + end});
+  expect_remark("a.off", sample::off() + "\n# the end\n\n", "");
+  expect_remark("a.off", sample::off() + "\n3 0 1 2\n3 0 1 2\n",
+                ":12: not read, nor what follows: the header promises 4 faces");
+  const std::string items = ": the header promises 4 items of element 'face'";
+  expect_remark("a.ply", sample::ply() + "\n \n", "");
+  expect_remark("a.ply", sample::ply() + "\n3 0 1 2\n", ":19: not read, nor what follows" + items);
   for (const char* format : {"binary_little_endian", "binary_big_endian"})
-    EXPECT_EQ(remarks(sample::binary_ply(format) + "xyz"),
-              Remarks{start + " not read: 3 bytes at the end" + end});
-}
-
-TEST(Bytes_of_stl, beyond_the_header_are_not_read_with_a_remark)
-{
-  const Temporary_folder folder;
-  const Input_mesh input = read_mesh(folder.write("a.stl", sample::binary_stl() + "xyz"));
-  EXPECT_EQ(input.soup.polygons.size(), 4u);
-  EXPECT_EQ(input.remarks, Remarks{folder.path("a.stl") + ": not read: 3 bytes at the end: the "
-                                                          "header promises 4 triangles"});
+    expect_remark("a.ply", sample::binary_ply(format) + "xyz",
+                  ": not read: 3 bytes at the end" + items);
+  expect_remark("a.stl", sample::binary_stl() + "xyz",
+                ": not read: 3 bytes at the end: the header promises 4 triangles");
 }
 
 TEST(Format, is_that_of_the_ending_or_a_given_one)
@@ -242,23 +290,6 @@ TEST(Bad_file, is_told)
   EXPECT_EQ(message(folder.path("none.off")), folder.path("none.off") + ": no such file");
   std::filesystem::create_directory(folder.path("folder.off"));
   EXPECT_EQ(message(folder.path("folder.off")), folder.path("folder.off") + ": is a directory");
-}
-
-/// A file of sysfs has the size of a page, whatever it holds.
-TEST(Bad_file, that_ends_while_it_is_read_is_told)
-{
-  const char* const shorter_than_its_size = "/sys/devices/system/cpu/online";
-  if (!std::filesystem::exists(shorter_than_its_size))
-    GTEST_SKIP() << "no sysfs here";
-  const Temporary_folder folder;
-  std::filesystem::create_symlink(shorter_than_its_size, folder.path("a.off"));
-  try {
-    read_mesh(folder.path("a.off"));
-    ADD_FAILURE() << "was read";
-  } catch (const Input_error& error) {
-    const std::string start = folder.path("a.off") + ": was cut off while it was read: ";
-    EXPECT_EQ(std::string(error.what()).substr(0, start.size()), start);
-  }
 }
 
 } // namespace read_mesh_test

@@ -4,7 +4,7 @@
 
 #include "read/errors.h"
 #include "read/little_endian.h"
-#include "read/read_soup.h"
+#include "read/read_mesh.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -47,6 +48,18 @@ void expect_cover(const std::vector<Point>& points)
   EXPECT_NEAR(sum, expected, 1e-12 * expected);
 }
 
+/// Around the origin, in a ring of radii from 1 to 11 times the scale.
+std::vector<Point> random_star(std::size_t n, double scale, std::mt19937& random)
+{
+  std::vector<Point> star;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double radius = scale * (1 + double(random() % 1000) / 100),
+                 angle = 2 * 3.14159265358979 * double(j) / double(n);
+    star.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  return star;
+}
+
 TEST(Triangulate_polygon, covers_concave_polygons)
 {
   expect_cover({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
@@ -61,19 +74,11 @@ TEST(Triangulate_polygon, covers_concave_polygons)
                 {1, 3, 0},
                 {0, 3, 0}});
   std::mt19937 random(20240506);
-  for (int i = 0; i < 100; ++i) {
-    std::vector<Point> star;
-    const std::size_t n = 4 + random() % 40;
-    for (std::size_t j = 0; j < n; ++j) {
-      const double radius = 1 + double(random() % 1000) / 100,
-                   angle = 2 * 3.14159265358979 * double(j) / double(n);
-      star.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
-    }
-    expect_cover(star);
-  }
+  for (std::size_t i = 0; i < 100; ++i)
+    expect_cover(random_star(4 + random() % 40, 1, random));
 }
 
-// A square with a square hole, joined by a bridge: two corners are visited twice.
+// A hole joined by a bridge: two corners are visited twice.
 TEST(Triangulate_polygon, leaves_a_hole_open)
 {
   expect_cover({{0, 0, 0},
@@ -86,6 +91,17 @@ TEST(Triangulate_polygon, leaves_a_hole_open)
                 {3, 3, 0},
                 {3, 1, 0},
                 {1, 1, 0}});
+  std::mt19937 random(20261128);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const std::size_t n = 4 + random() % 40, bridge = random() % n;
+    std::vector<Point> outside = random_star(n, 1, random), hole = random_star(n, 0.09, random);
+    std::rotate(outside.begin(), outside.begin() + std::ptrdiff_t(bridge), outside.end());
+    std::rotate(hole.begin(), hole.begin() + std::ptrdiff_t(bridge), hole.end());
+    outside.push_back(outside.front());
+    hole.push_back(hole.front());
+    outside.insert(outside.end(), hole.rbegin(), hole.rend());
+    expect_cover(outside);
+  }
 }
 
 TEST(Triangulate_polygon, gives_triangles_of_any_polygon)

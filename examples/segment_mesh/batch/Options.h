@@ -3,8 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OPTIONS_H
 
-#include "read/Mesh_format.h"
-#include "read/Side_files.h"
+#include "read/read_mesh.h"
 #include "write/output_format.h"
 #include "segmentation/Segmentation_settings.h"
 #include "view/Viewpoint.h"

@@ -79,10 +79,10 @@ std::string line(const std::string& name, const Scores& scores)
 
 } // namespace
 
-Truth read_truth(const std::string& file, std::size_t number_of_faces, Remarks& remarks)
+Truth read_truth(const std::string& file, std::size_t number_of_faces, Remarks&)
 {
   constexpr std::size_t longest_line = 21; // a label is an integer of 64 bits
-  const std::string bytes = load_bytes(file, remarks,
+  const std::string bytes = load_bytes(file,
                                        (std::max)(harmless_size, longest_line * number_of_faces));
   Text_scanner scan(file, bytes, '#');
   Truth truth{file, {}};

@@ -4,9 +4,12 @@
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/file_endings.h"
+#include "read/read_mesh.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <numeric>
 
 namespace segment_mesh {
 
@@ -19,7 +22,51 @@ fs::path without_gz(const fs::path& file)
   return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
 }
 
+/// Of points with the same coordinates keeps the first; those that are kept stay in order.
+void merge_equal_points(Polygon_soup& soup)
+{
+  std::vector<Point>& points = soup.points;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
+    return points[i] < points[j] || (!(points[j] < points[i]) && i < j);
+  });
+
+  std::vector<std::size_t> first(points.size()); // the first point at the place of each
+  for (std::size_t k = 0; k < order.size(); ++k)
+    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]]
+                                                                        : order[k];
+
+  std::vector<std::size_t>& new_index = order;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (first[i] == i) {
+      new_index[i] = size;
+      points[size++] = points[i];
+    } else
+      new_index[i] = new_index[first[i]];
+  }
+  points.resize(size);
+  soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
+}
+
 } // namespace
+
+std::string ending_of(const std::string& file)
+{
+  std::string ending = fs::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+std::string list_of_endings(const std::vector<std::string>& endings)
+{
+  std::string list;
+  for (std::size_t i = 0; i < endings.size(); ++i)
+    list += (i == 0 ? "." : i + 1 < endings.size() ? ", ." : " or .") + endings[i];
+  return list;
+}
 
 const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats()
 {
@@ -57,6 +104,22 @@ bool is_compressed(const std::string& file)
 std::string stem_of_input(const std::string& file)
 {
   return file == standard_input ? "stdin" : without_gz(file).stem().string();
+}
+
+Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes,
+                       Remarks& remarks)
+{
+  const auto read = format == Mesh_format::OFF   ? read_off
+                    : format == Mesh_format::OBJ ? read_obj
+                    : format == Mesh_format::PLY ? read_ply
+                    : format == Mesh_format::STL ? read_stl
+                                                 : read_gltf;
+  Polygon_soup soup = read(file, bytes, remarks);
+  if (soup.polygons.empty())
+    throw Input_error(file, "no faces");
+  if (format == Mesh_format::STL || format == Mesh_format::GLTF)
+    merge_equal_points(soup);
+  return soup;
 }
 
 } // namespace segment_mesh

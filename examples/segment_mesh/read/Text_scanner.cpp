@@ -4,6 +4,7 @@
 
 #include "read/errors.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -24,7 +25,7 @@ using fast_float::from_chars;
 
 bool is_blank(char c)
 {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
 } // namespace
@@ -36,14 +37,22 @@ Text_scanner::Text_scanner(const std::string& file, std::string_view text, char 
   , m_comment(comment)
   , m_continuation(continuation)
   , m_next(text.size() - without_byte_order_mark(text).size())
-{}
+  , m_line_feed((std::min)(text.find('\n'), text.size()))
+{
+  check_encoding(file, text);
+}
 
 /// \pre there is one
 void Text_scanner::take_line()
 {
-  const std::size_t end = (std::min)(m_text.find('\n', m_next), m_text.size());
-  m_line = m_text.substr(m_next, end - m_next);
-  m_next = (std::min)(end + 1, m_text.size());
+  m_line = m_text.substr(m_next, m_line_feed - m_next);
+  m_line = m_line.substr(0, m_line.find('\r'));
+  m_next += m_line.size() + 1;
+  if (m_next == m_line_feed) // a carriage return before it
+    ++m_next;
+  m_next = (std::min)(m_next, m_text.size());
+  if (m_next > m_line_feed)
+    m_line_feed = (std::min)(m_text.find('\n', m_next), m_text.size());
   m_line_number = m_next_line_number++;
   if (m_comment != no_comments)
     m_line = m_line.substr(0, m_line.find(m_comment));
@@ -143,16 +152,35 @@ std::int64_t Text_scanner::integer(std::string_view word, const char* what) cons
   return value;
 }
 
+bool is_word(std::string_view word, std::string_view expected)
+{
+  return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
+                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
 std::string_view without_byte_order_mark(std::string_view text)
 {
   constexpr std::string_view mark = "\xef\xbb\xbf";
   return text.substr(text.substr(0, mark.size()) == mark ? mark.size() : 0);
 }
 
+void check_encoding(const std::string& file, std::string_view text)
+{
+  const auto has = [text](std::size_t i, unsigned char byte) {
+    return i < text.size() && static_cast<unsigned char>(text[i]) == byte;
+  };
+  const bool has_mark = (has(0, 0xff) && has(1, 0xfe)) || (has(0, 0xfe) && has(1, 0xff));
+  const bool has_zeros = has(0, 0) != has(1, 0) && has(2, 0) != has(3, 0) && has(0, 0) == has(2, 0);
+  if (has_mark || has_zeros)
+    throw Input_error(file, "is a text in UTF-16: save it as UTF-8");
+}
+
 std::string in_quotes(std::string_view word)
 {
-  constexpr std::size_t longest = 24;
-  const std::string text(word.substr(0, longest));
+  constexpr std::size_t longest = 32;
+  std::string text(word.substr(0, longest));
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + text + (word.size() > longest ? "...'" : "'");
 }
 

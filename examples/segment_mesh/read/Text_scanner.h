@@ -10,8 +10,8 @@
 
 namespace segment_mesh {
 
-/// Reads words line by line, and fails with the line that it stands on. A byte order mark before
-/// the text is skipped.
+/// Reads words line by line, and fails with the line that it stands on. Lines end with a line feed,
+/// a carriage return, or both. A byte order mark before the text is skipped.
 class Text_scanner
 {
 public:
@@ -21,7 +21,7 @@ public:
   enum class Continuation { NONE, BACKSLASH };
 
   /// `file` names the file in messages; `text` must live as long as the scanner. What follows
-  /// `comment` on a line is not seen.
+  /// `comment` on a line is not seen. \throws Input_error for a text in UTF-16
   Text_scanner(const std::string& file, std::string_view text, char comment,
                Continuation continuation = Continuation::NONE);
 
@@ -32,6 +32,7 @@ public:
   /// The next word of this or a later line; empty at the end of the text.
   std::string_view word_of_any_line();
   bool has_word();
+  void skip_line() { m_line = {}; }
 
   /// The number of this line, from 1.
   std::size_t line_number() const { return m_line_number; }
@@ -62,12 +63,17 @@ private:
   std::string_view m_line; // what is left of this line
   bool m_goes_on = false;  // this line, on the next one
   std::size_t m_next;
+  std::size_t m_line_feed; // the first one from m_next on, or the end of the text
   std::size_t m_line_number = 1, m_next_line_number = 1;
 };
 
+/// Whether a word is the expected one, which has small letters. Some programs write capitals.
+bool is_word(std::string_view word, std::string_view expected);
 /// The text without a byte order mark before it.
 std::string_view without_byte_order_mark(std::string_view text);
-/// A word in quotes, shortened if it is long.
+/// \throws Input_error for a text in UTF-16, which is told by its first bytes
+void check_encoding(const std::string& file, std::string_view text);
+/// A word in quotes, shortened if it is long, with `?` in place of what ASCII cannot print.
 std::string in_quotes(std::string_view word);
 /// "FILE: not read: 2 bytes".
 std::string bytes_not_read(const std::string& file, std::size_t count);

@@ -13,36 +13,18 @@ namespace segment_mesh {
 /// What the user should know, a line each.
 using Remarks = std::vector<std::string>;
 
-/// Of the character of UTF-8 that begins at `at`: 1 if none does.
-inline std::size_t size_of_character(const std::string& text, std::size_t at)
-{
-  const auto byte = [&text](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
-  };
-  const std::size_t expected = byte(at) >= 0xf0   ? 4
-                               : byte(at) >= 0xe0 ? 3
-                               : byte(at) >= 0xc2 ? 2
-                                                  : 1;
-  std::size_t size = 1;
-  while (size < expected && (byte(at + size) & 0xc0) == 0x80)
-    ++size;
-  return size == expected ? size : 1;
-}
-
-/// A message that stays on its line of a terminal or a log, whatever bytes it quotes: a `?` in
-/// place of each control character of ASCII, and of U+0080 to U+009F, as UTF-8 or as single bytes.
+/// A message that stays on its line of a terminal or a log: a `?` in place of each control
+/// character of ASCII, and of U+0080 to U+009F.
 inline std::string one_line(std::string text)
 {
-  for (std::size_t at = 0, size = 1; at < text.size(); at += size) {
-    size = size_of_character(text, at);
-    // The control characters from U+0080 to U+009F have their own value as second byte.
-    const auto value = static_cast<unsigned char>(
-      text[size == 2 && text[at] == '\xc2' ? at + 1 : at]);
-    const bool is_control = size <= 2 && (value < 0x20 || (value >= 0x7f && value < 0xa0));
-    if (is_control) {
-      text.replace(at, size, "?");
-      size = 1;
-    }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) {
+      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+    };
+    if (byte(i) < 0x20 || byte(i) == 0x7f)
+      text[i] = '?';
+    else if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0)
+      text.replace(i, 2, "?");
   }
   return text;
 }

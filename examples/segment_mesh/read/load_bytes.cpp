@@ -5,10 +5,13 @@
 #include "read/Mesh_format.h"
 #include "read/errors.h"
 
+#include <zlib.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace segment_mesh {
@@ -31,47 +34,45 @@ void check_regular_file(const std::string& file)
     throw Input_error(file, "is not a regular file");
 }
 
-std::string load_file(const std::string& file)
+struct Close_file
 {
-  check_regular_file(file);
-  std::ifstream in(file, std::ios::binary | std::ios::ate);
-  if (!in)
-    throw Input_error(file, "cannot be opened: " + std::generic_category().message(errno));
-  std::string bytes(std::size_t(in.tellg()), '\0');
-  in.seekg(0);
-  errno = 0; // the end of the file, which is an error here, leaves it alone
-  if (!in.read(bytes.data(), std::streamsize(bytes.size())))
-    throw Input_error(file, errno == 0
-                              ? "was cut off while it was read: " + std::to_string(in.gcount()) +
-                                  " of " + std::to_string(bytes.size()) + " bytes"
-                              : "cannot be read: " + std::generic_category().message(errno));
-  return bytes;
-}
-
-std::string load_standard_input()
-{
-  constexpr std::size_t block_size = std::size_t(1) << 20;
-  std::string bytes;
-  std::size_t size = 0;
-  do {
-    bytes.resize(size + block_size);
-    size += std::fread(&bytes[size], 1, block_size, stdin);
-  } while (size == bytes.size());
-  if (std::ferror(stdin))
-    throw Input_error(standard_input, "cannot be read: " + std::generic_category().message(errno));
-  bytes.resize(size);
-  return bytes;
-}
+  void operator()(gzFile file) const { gzclose(file); }
+};
 
 } // namespace
 
-std::string load_bytes(const std::string& file, Remarks& remarks, std::size_t expected_size)
+std::string load_bytes(const std::string& file, std::size_t expected_size)
 {
-  std::string bytes = file == standard_input ? load_standard_input() : load_file(file);
-  if (is_gzip(bytes))
-    bytes = inflate(file, bytes, remarks, expected_size);
-  if (bytes.empty())
+  const bool is_file = file != standard_input;
+  if (is_file)
+    check_regular_file(file);
+  // It reads other files than those of gzip as they are.
+  const std::unique_ptr<gzFile_s, Close_file> in(is_file ? gzopen(file.c_str(), "rb")
+                                                         : gzdopen(fileno(stdin), "rb"));
+  if (!in)
+    throw Input_error(file, "cannot be opened: " + std::generic_category().message(errno));
+  const std::size_t file_size = is_file ? std::size_t(fs::file_size(file)) : 0;
+  std::string bytes(is_file ? file_size + 1 : harmless_size, '\0');
+  std::size_t size = 0;
+  for (int taken = 1; taken > 0; size += std::size_t((std::max)(taken, 0))) {
+    if (size == bytes.size())
+      bytes.resize(2 * size);
+    taken = gzread(in.get(), &bytes[size],
+                   unsigned((std::min)(bytes.size() - size, std::size_t(1) << 30)));
+    if (is_file && size > (std::max)(expected_size, largest_inflation * file_size))
+      throw Input_error(file, "is a gzip file that grows by more than " +
+                                std::to_string(largest_inflation) + " times");
+  }
+  int status = Z_OK;
+  gzerror(in.get(), &status);
+  if (status == Z_ERRNO)
+    throw Input_error(file, "cannot be read: " + std::generic_category().message(errno));
+  if (status != Z_OK)
+    throw Input_error(file, status == Z_BUF_ERROR ? "is a gzip file that is cut off"
+                                                  : "is a damaged gzip file");
+  if (size == 0)
     throw Input_error(file, "is empty");
+  bytes.resize(size);
   return bytes;
 }
 

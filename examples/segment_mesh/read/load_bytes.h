@@ -3,17 +3,20 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LOAD_BYTES_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_LOAD_BYTES_H
 
-#include "read/inflate.h"
-
 #include <cstddef>
 #include <string>
 
 namespace segment_mesh {
 
-/// The bytes of a regular file, or of standard input for `-`; inflated if they are those of a gzip
-/// file. \param expected_size see `inflate()` \throws Input_error also if there are none
-std::string load_bytes(const std::string& file, Remarks& remarks,
-                       std::size_t expected_size = harmless_size);
+/// A gzip file of a mesh becomes 2 to 30 times as large. What becomes larger than this factor was
+/// made to exhaust the memory, and is refused.
+constexpr std::size_t largest_inflation = 100;
+constexpr std::size_t harmless_size = std::size_t(1) << 20; ///< in bytes
+
+/// The bytes of a regular file, or of standard input for `-`; what a gzip file holds, by zlib.
+/// Those after the end of gzip's data are padding. \param expected_size up to which no gzip file is
+/// refused \throws Input_error also if there are none
+std::string load_bytes(const std::string& file, std::size_t expected_size = harmless_size);
 
 } // namespace segment_mesh
 

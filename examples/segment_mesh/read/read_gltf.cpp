@@ -5,19 +5,20 @@
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/little_endian.h"
-#include "read/read_soup.h"
-#include "read/tinygltf.h"
-#include "soup/merge_equal_points.h"
+#include "read/read_mesh.h"
 #include "soup/vector_algebra.h"
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace segment_mesh {
@@ -26,295 +27,409 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// \name Files beside a .gltf file: of its folder and those below it
-/// @{
-bool is_beside(const std::string& path, void*)
+using Json = nlohmann::json;
+
+std::string from_base64(std::string_view text)
 {
-  return fs::is_regular_file(path);
-}
-
-std::string same_path(const std::string& path, void*)
-{
-  return path;
-}
-
-bool read_beside(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
-                 void* folder)
-{
-  const fs::path relative = fs::path(path).lexically_normal().lexically_relative(
-    *static_cast<const fs::path*>(folder));
-  if (relative.empty() || *relative.begin() == "..") {
-    *error += path + " is not in the folder of the file\n";
-    return false;
-  }
-  std::ifstream in(path, std::ios::binary);
-  bytes->assign(std::istreambuf_iterator<char>(in), {});
-  return bool(in);
-}
-/// @}
-
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                int, void*)
-{
-  return true;
-}
-
-tinygltf::Model parse(const std::string& file, std::string_view bytes)
-{
-  fs::path folder = fs::path(file).parent_path().lexically_normal();
-  folder = folder.empty() ? fs::path(".") : folder;
-  tinygltf::TinyGLTF parser;
-  parser.SetImageLoader(skip_image, nullptr);
-  parser.SetFsCallbacks({is_beside, same_path, read_beside, nullptr, &folder});
-  if (bytes.size() > (std::numeric_limits<unsigned>::max)())
-    throw Input_error(file, "has more than 4 GB");
-  tinygltf::Model model;
-  std::string error, warning;
-  const bool is_binary = bytes.substr(0, 4) == "glTF";
-  const unsigned size = unsigned(bytes.size());
-  if (is_binary
-        ? parser.LoadBinaryFromMemory(&model, &error, &warning,
-                                      reinterpret_cast<const unsigned char*>(bytes.data()), size,
-                                      folder.string())
-        : parser.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.string()))
-    return model;
-  throw Input_error(file, error.empty() ? "is no glTF file" : error.substr(0, error.find('\n')));
-}
-
-/// The values of an accessor, all within its buffer.
-class Values
-{
-public:
-  /// \throws Input_error if they are not there, or have another type
-  Values(const std::string& file, const tinygltf::Model& model, int accessor, int type)
-  {
-    const auto require = [&](bool condition, const char* what) {
-      if (!condition)
-        throw Input_error(file, "accessor " + std::to_string(accessor) + " " + what);
-    };
-    require(accessor >= 0 && std::size_t(accessor) < model.accessors.size(), "does not exist");
-    const tinygltf::Accessor& a = model.accessors[std::size_t(accessor)];
-    require(a.type == type, "has another type than its use");
-    require(!a.sparse.isSparse, "is sparse, which is not supported");
-    require(a.bufferView >= 0, "has no data: compressed meshes are not supported");
-    require(std::size_t(a.bufferView) < model.bufferViews.size(),
-            "has a buffer view that does not exist");
-    const tinygltf::BufferView& view = model.bufferViews[std::size_t(a.bufferView)];
-    require(view.buffer >= 0 && std::size_t(view.buffer) < model.buffers.size(),
-            "has a buffer that does not exist");
-    const std::vector<unsigned char>& data = model.buffers[std::size_t(view.buffer)].data;
-    require(view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset,
-            "has a buffer view beyond the end of its buffer");
-    const int stride = a.ByteStride(view),
-              component_size = tinygltf::GetComponentSizeInBytes(std::uint32_t(a.componentType)),
-              components = tinygltf::GetNumComponentsInType(std::uint32_t(a.type));
-    require(stride > 0 && component_size > 0 && components > 0, "has an unknown type");
-    const std::size_t size = std::size_t(components * component_size);
-    require(a.count == 0 ||
-              (a.byteOffset <= view.byteLength && size <= view.byteLength - a.byteOffset &&
-               a.count - 1 <= (view.byteLength - a.byteOffset - size) / std::size_t(stride)),
-            "reaches beyond the end of its buffer view");
-    m_size = a.count;
-    m_stride = std::size_t(stride);
-    m_component_size = std::size_t(component_size);
-    m_type = a.componentType;
-    m_is_normalized = a.normalized;
-    m_data = reinterpret_cast<const char*>(data.data()) + view.byteOffset + a.byteOffset;
-  }
-
-  std::size_t size() const { return m_size; }
-
-  double operator()(std::size_t i, std::size_t component = 0) const
-  {
-    const char* const at = m_data + i * m_stride + component * m_component_size;
-    switch (m_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return normalized<std::int8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return normalized<std::uint8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return normalized<std::int16_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return normalized<std::uint16_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return normalized<std::uint32_t>(at);
-    default:
-      return m_component_size == sizeof(double) ? read_little_endian<double>(at)
-                                                : read_little_endian<float>(at);
+  constexpr std::string_view
+    digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, number_of_bits = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string_view::npos)
+      continue;
+    bits = bits << 6 | unsigned(digit);
+    number_of_bits += 6;
+    if (number_of_bits >= 8) {
+      number_of_bits -= 8;
+      bytes += char(bits >> number_of_bits & 0xff);
     }
   }
+  return bytes;
+}
 
-private:
-  template <typename Integer>
-  double normalized(const char* at) const
-  {
-    const double value = read_little_endian<Integer>(at);
-    return m_is_normalized ? value / (std::numeric_limits<Integer>::max)() : value;
+/// With each `%20` replaced by the character of that number.
+std::string from_uri(const std::string& uri)
+{
+  std::string result;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned value = 0;
+    const bool is_code = uri[i] == '%' && i + 2 < uri.size() &&
+                         std::from_chars(&uri[i + 1], &uri[i + 1] + 2, value, 16).ptr ==
+                           &uri[i + 1] + 2;
+    result += is_code ? char(value) : uri[i];
+    i += is_code ? 2 : 0;
   }
+  return result;
+}
 
-  std::size_t m_size, m_stride, m_component_size;
-  int m_type;
-  bool m_is_normalized;
-  const char* m_data;
-};
+/// Whether an extension changes no triangle, or only lets positions be integers.
+bool is_harmless(const std::string& extension)
+{
+  const char* const starts[] = {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",
+                                "EXT_texture_", "KHR_lights_"};
+  return std::any_of(std::begin(starts), std::end(starts),
+                     [&](const char* start) { return extension.rfind(start, 0) == 0; });
+}
+
+bool is_compression(const std::string& extension)
+{
+  return extension.find("compression") != std::string::npos;
+}
+
+/// "the extension 'NAME', which is not read", and what to do about it.
+std::string not_read(const std::string& extension)
+{
+  return "the extension " + in_quotes(extension) + ", which is not read" +
+         (is_compression(extension) ? ": save it without compression" : "");
+}
+
+/// Whether the numbers are indices of some of `size` elements.
+bool are_below(const std::vector<double>& indices, std::size_t size)
+{
+  return std::all_of(indices.begin(), indices.end(),
+                     [size](double index) { return index >= 0 && index < double(size); });
+}
+
+/// What the corners of a primitive make; smaller numbers are of points and lines.
+enum Mode : std::size_t { TRIANGLES = 4, TRIANGLE_STRIP = 5, TRIANGLE_FAN = 6 };
 
 class Gltf_reader
 {
 public:
   Gltf_reader(const std::string& file, std::string_view bytes)
     : m_file(file)
-    , m_model(parse(file, bytes))
+    , m_most_numbers(1000000 + most_numbers_per_byte * bytes.size())
+    , m_text(bytes)
   {
-    for (const tinygltf::Buffer& buffer : m_model.buffers)
-      m_most_numbers += most_numbers_per_byte * buffer.data.size();
+    if (bytes.substr(0, 4) == "glTF")
+      split(bytes);
+    check_encoding(file, m_text);
   }
 
   Polygon_soup read(Remarks& remarks)
   {
-    std::vector<Placed_node> open;
-    for (int node : root_nodes())
-      open.push_back({node, Eigen::Affine3d::Identity()});
-    std::vector<char> is_reached(m_model.nodes.size());
-    while (!open.empty()) {
-      const Placed_node placed = open.back();
-      open.pop_back();
-      if (placed.node < 0 || std::size_t(placed.node) >= m_model.nodes.size())
-        throw Input_error(m_file, "node " + std::to_string(placed.node) + " does not exist");
-      if (std::exchange(is_reached[std::size_t(placed.node)], true))
-        throw Input_error(m_file, "node " + std::to_string(placed.node) + " has two parents");
-      const tinygltf::Node& node = m_model.nodes[std::size_t(placed.node)];
-      const Eigen::Affine3d to_world = placed.to_world * transformation(node);
-      if (node.mesh >= 0)
-        add_mesh(node.mesh, to_world);
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        open.push_back({*child, to_world});
+    try {
+      m_json = Json::parse(m_text.begin(), m_text.end());
+      read_header();
+      read_nodes();
+    } catch (const Json::parse_error& error) { // whose message quotes the text
+      const auto end = m_text.begin() + std::ptrdiff_t((std::min)(error.byte, m_text.size()));
+      throw Input_error(m_file, 1 + std::size_t(std::count(m_text.begin(), end, '\n')),
+                        "the text is not JSON");
+    } catch (const Json::out_of_range& error) {
+      const std::string cause = error.what(); // "[json.exception.out_of_range.403] key 'x' not
+                                              // found"
+      fail(cause.substr(cause.find(' ') + 1));
+    } catch (const Json::exception&) {
+      fail("a value of another type than glTF has there");
     }
     if (m_number_of_skipped > 0)
       remarks.push_back(m_file + ": " + counted(m_number_of_skipped, "primitive") +
                         " of points or lines left out");
-    if (m_soup.polygons.empty())
-      throw Input_error(m_file, "no faces");
-    merge_equal_points(m_soup);
     return std::move(m_soup);
   }
 
 private:
   struct Placed_node
   {
-    int node;
+    std::size_t node;
     Eigen::Affine3d to_world; // of its parent
   };
 
+  [[noreturn]] void fail(const std::string& cause) const
+  {
+    throw Input_error(m_file, m_place + cause);
+  }
+
+  /// Finds the text and the first buffer of a .glb file.
+  void split(std::string_view bytes)
+  {
+    const auto number = [bytes](std::size_t at) {
+      return std::size_t(read_little_endian<std::uint32_t>(&bytes[at]));
+    };
+    const auto chunk = [&](std::size_t start) {
+      if (bytes.size() < start + 8)
+        return std::string_view();
+      const std::string_view rest = bytes.substr(start + 8);
+      if (number(start) > rest.size())
+        fail("is cut off: a chunk has " + counted(rest.size(), "byte") + " of " +
+             std::to_string(number(start)));
+      return rest.substr(0, number(start));
+    };
+    if (bytes.size() >= 8 && number(4) != 2)
+      fail("is of glTF version " + std::to_string(number(4)) + "; version 2 is read");
+    m_text = chunk(12);
+    m_binary = chunk(12 + 8 + m_text.size());
+  }
+
+  /// An element of a list of the file, which messages name from now on.
+  const Json& element(const char* list, std::size_t i)
+  {
+    m_place = std::string(list) + "[" + std::to_string(i) + "]: ";
+    return m_json.at(list).at(i);
+  }
+
+  std::size_t index(const Json& value) const
+  {
+    if (!value.is_number_unsigned())
+      fail("an index is not an integer of at least 0");
+    return value.get<std::size_t>();
+  }
+
+  std::size_t index(const Json& object, const char* name, std::size_t otherwise) const
+  {
+    return object.contains(name) ? index(object[name]) : otherwise;
+  }
+
+  /// A member that is a list; an empty one where it is missing.
+  static Json list(const Json& object, const char* name)
+  {
+    return object.value(name, Json::array());
+  }
+
+  void read_header()
+  {
+    const std::string version = m_json.at("asset").at("version");
+    if (version.rfind('2', 0) != 0)
+      fail("is of glTF version " + in_quotes(version) + "; version 2 is read");
+    for (const Json& extension : list(m_json, "extensionsRequired"))
+      if (!is_harmless(extension))
+        fail("needs " + not_read(extension));
+    for (const Json& extension : list(m_json, "extensionsUsed"))
+      if (is_compression(extension))
+        m_hint = ": the file uses " + not_read(extension);
+    for (std::size_t i = 0; m_json.contains("buffers") && i < m_json["buffers"].size(); ++i) {
+      const Json& buffer = element("buffers", i);
+      m_buffers.push_back(buffer.contains("uri") ? load(buffer["uri"])
+                                                 : std::string(i == 0 ? m_binary : ""));
+      m_most_numbers += most_numbers_per_byte * m_buffers[i].size();
+      const std::size_t size = index(buffer.at("byteLength"));
+      if (!m_buffers[i].empty() && m_buffers[i].size() < size)
+        fail("has " + std::to_string(m_buffers[i].size()) + " of " + counted(size, "byte"));
+    }
+  }
+
+  /// The bytes of a buffer that are in its URI, or in a file of the folder of the file or below it.
+  std::string load(const std::string& uri) const
+  {
+    constexpr std::string_view encoding = ";base64,";
+    if (uri.rfind("data:", 0) == 0) {
+      const std::size_t start = uri.find(encoding);
+      if (start == std::string::npos)
+        fail("data that are not in base64");
+      return from_base64(std::string_view(uri).substr(start + encoding.size()));
+    }
+    fs::path folder = fs::path(m_file).parent_path().lexically_normal();
+    folder = folder.empty() ? fs::path(".") : folder;
+    const fs::path path = (folder / from_uri(uri)).lexically_normal();
+    const fs::path relative = path.lexically_relative(folder);
+    if (relative.empty() || *relative.begin() == "..")
+      fail(in_quotes(uri) + " is not in the folder of the file");
+    std::error_code error;
+    std::ifstream in(path, std::ios::binary);
+    if (!fs::is_regular_file(path, error) || !in)
+      fail(in_quotes(uri) + " cannot be read");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  void read_nodes()
+  {
+    std::vector<Placed_node> open;
+    for (const std::size_t node : root_nodes())
+      open.push_back({node, Eigen::Affine3d::Identity()});
+    std::vector<char> is_reached(m_json.contains("nodes") ? m_json["nodes"].size() : 0);
+    while (!open.empty()) {
+      const Placed_node placed = open.back();
+      open.pop_back();
+      const Json& node = element("nodes", placed.node);
+      if (std::exchange(is_reached[placed.node], true))
+        fail("has two parents");
+      if (node.contains("extensions") && node["extensions"].contains(instancing))
+        fail("is repeated by " + not_read(instancing));
+      const Eigen::Affine3d to_world = placed.to_world * transformation(node);
+      const Json children = list(node, "children");
+      for (auto child = children.rbegin(); child != children.rend(); ++child)
+        open.push_back({index(*child), to_world});
+      if (node.contains("mesh"))
+        add_mesh(index(node["mesh"]), to_world);
+    }
+  }
+
   /// Of the scene that is shown, the last one first; of a file without scenes the nodes without
   /// parents.
-  std::vector<int> root_nodes() const
+  std::vector<std::size_t> root_nodes()
   {
-    std::vector<int> roots;
-    if (!m_model.scenes.empty()) {
-      const std::size_t scene = std::size_t((std::max)(m_model.defaultScene, 0));
-      if (scene >= m_model.scenes.size())
-        throw Input_error(m_file, "scene " + std::to_string(scene) + " does not exist");
-      roots = m_model.scenes[scene].nodes;
-    } else {
-      std::vector<char> is_child(m_model.nodes.size());
-      for (const tinygltf::Node& node : m_model.nodes)
-        for (int child : node.children)
-          if (child >= 0 && std::size_t(child) < is_child.size())
-            is_child[std::size_t(child)] = true;
+    std::vector<std::size_t> roots;
+    if (m_json.contains("scenes")) {
+      for (const Json& node : list(element("scenes", index(m_json, "scene", 0)), "nodes"))
+        roots.push_back(index(node));
+    } else if (m_json.contains("nodes")) {
+      std::vector<char> is_child(m_json["nodes"].size());
+      for (const Json& node : m_json["nodes"])
+        for (const Json& child : list(node, "children"))
+          if (index(child) < is_child.size())
+            is_child[index(child)] = true;
       for (std::size_t node = 0; node < is_child.size(); ++node)
         if (!is_child[node])
-          roots.push_back(int(node));
+          roots.push_back(node);
     }
     std::reverse(roots.begin(), roots.end());
     return roots;
   }
 
-  Eigen::Affine3d transformation(const tinygltf::Node& node) const
+  Eigen::Affine3d transformation(const Json& node) const
   {
-    Eigen::Affine3d result = Eigen::Affine3d::Identity();
-    const auto& t = node.translation;
-    const auto& r = node.rotation;
-    const auto& s = node.scale;
-    if (node.matrix.size() == 16)
-      result.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-    if (t.size() == 3)
-      result.translate(Eigen::Vector3d(t[0], t[1], t[2]));
-    if (r.size() == 4)
-      result.rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
-    if (s.size() == 3)
-      result.scale(Eigen::Vector3d(s[0], s[1], s[2]));
-    return result;
+    const auto numbers = [&](const char* name, std::vector<double> otherwise) {
+      const std::vector<double> result = node.value(name, otherwise);
+      if (result.size() != otherwise.size())
+        fail(std::string(name) + " has " + std::to_string(result.size()) + " of " +
+             counted(otherwise.size(), "number"));
+      return result;
+    };
+    const auto matrix = numbers("matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}),
+               t = numbers("translation", {0, 0, 0}), r = numbers("rotation", {0, 0, 0, 1}),
+               s = numbers("scale", {1, 1, 1});
+    return Eigen::Affine3d(Eigen::Matrix4d::Map(matrix.data()))
+      .translate(Eigen::Vector3d::Map(t.data()))
+      .rotate(Eigen::Quaterniond(Eigen::Vector4d::Map(r.data())).normalized())
+      .scale(Eigen::Vector3d::Map(s.data()));
   }
 
-  void add_mesh(int mesh, const Eigen::Affine3d& to_world)
+  void add_mesh(std::size_t mesh, const Eigen::Affine3d& to_world)
   {
-    if (std::size_t(mesh) >= m_model.meshes.size())
-      throw Input_error(m_file, "mesh " + std::to_string(mesh) + " does not exist");
-    for (const tinygltf::Primitive& primitive : m_model.meshes[std::size_t(mesh)].primitives)
-      if (primitive.mode < TINYGLTF_MODE_TRIANGLES && primitive.mode >= 0)
+    for (const Json& primitive : element("meshes", mesh).at("primitives")) {
+      element("meshes", mesh); // what messages name
+      element("meshes", mesh); // what messages name
+      const std::size_t mode = index(primitive, "mode", TRIANGLES);
+      if (mode > TRIANGLE_FAN)
+        fail("an unknown mode");
+      if (mode < TRIANGLES)
         ++m_number_of_skipped;
       else
-        add_primitive(primitive, to_world);
+        add_primitive(primitive, mode, to_world);
+    }
   }
 
-  void add_primitive(const tinygltf::Primitive& primitive, const Eigen::Affine3d& to_world)
+  void add_primitive(const Json& primitive, std::size_t mode, const Eigen::Affine3d& to_world)
   {
-    const auto attribute = primitive.attributes.find("POSITION");
-    if (attribute == primitive.attributes.end())
-      throw Input_error(m_file, "a primitive without positions");
-    const Values positions(m_file, m_model, attribute->second, TINYGLTF_TYPE_VEC3);
-    const std::size_t first = m_soup.points.size();
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const Eigen::Vector3d p = to_world *
-                                Eigen::Vector3d(positions(i, 0), positions(i, 1), positions(i, 2));
+    const std::vector<double> positions = values(primitive.at("attributes").at("POSITION"), "VEC3",
+                                                 3);
+    const std::size_t first = m_soup.points.size(), number_of_points = positions.size() / 3;
+    for (std::size_t i = 0; i < number_of_points; ++i) {
+      const Eigen::Vector3d p = to_world * Eigen::Vector3d::Map(&positions[3 * i]);
       m_soup.points.push_back({p.x(), p.y(), p.z()});
       if (!is_finite(m_soup.points.back()))
-        throw Input_error(m_file, "a position that is not a finite number");
+        fail("a position that is not a finite number");
     }
-
+    std::vector<double> indices(number_of_points);
+    std::iota(indices.begin(), indices.end(), 0);
+    if (primitive.contains("indices"))
+      indices = values(primitive["indices"], "SCALAR", 1);
+    if (!are_below(indices, number_of_points))
+      fail("an index of a vertex that does not exist");
     std::vector<std::size_t> corners;
-    if (primitive.indices < 0) {
-      for (std::size_t i = 0; i < positions.size(); ++i)
-        corners.push_back(first + i);
-    } else {
-      const Values indices(m_file, m_model, primitive.indices, TINYGLTF_TYPE_SCALAR);
-      for (std::size_t i = 0; i < indices.size(); ++i) {
-        const double index = indices(i);
-        if (!(index >= 0 && index < double(positions.size())))
-          throw Input_error(m_file, "an index of a vertex that does not exist");
-        corners.push_back(first + std::size_t(index));
-      }
-    }
-    if (m_soup.points.size() + m_soup.polygons.corners().size() + corners.size() > m_most_numbers)
-      throw Input_error(m_file, "its meshes are repeated too often");
-    add_triangles(corners, primitive.mode, to_world.linear().determinant() < 0);
+    for (const double index : indices)
+      corners.push_back(first + std::size_t(index));
+    add_triangles(corners, mode, to_world.linear().determinant() < 0);
   }
 
   /// \param is_mirrored corners then run the other way round
-  void add_triangles(const std::vector<std::size_t>& corners, int mode, bool is_mirrored)
+  void add_triangles(const std::vector<std::size_t>& corners, std::size_t mode, bool is_mirrored)
   {
-    const std::size_t step = mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-                                 mode == TINYGLTF_MODE_TRIANGLE_FAN
-                               ? 1
-                               : 3;
+    const std::size_t step = mode == TRIANGLES ? 3 : 1;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-      const std::size_t a = corners[mode == TINYGLTF_MODE_TRIANGLE_FAN ? 0 : i];
+      const std::size_t a = corners[mode == TRIANGLE_FAN ? 0 : i];
       std::size_t b = corners[i + 1], c = corners[i + 2];
       if (step == 1 && (a == b || b == c || c == a))
         continue; // leads from one strip to the next
-      if (is_mirrored != (mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1))
+      if (is_mirrored != (mode == TRIANGLE_STRIP && i % 2 == 1))
         std::swap(b, c);
       m_soup.polygons.push_back({a, b, c});
     }
   }
 
+  /// The numbers of an accessor, `size` of them for each element.
+  std::vector<double> values(const Json& accessor_index, const char* type, std::size_t size)
+  {
+    const Json& accessor = element("accessors", index(accessor_index));
+    if (accessor.at("type") != type)
+      fail("has another type than its use");
+    const std::size_t count = index(accessor.at("count"));
+    if (count > m_most_numbers || (m_number_of_numbers += count * size) > m_most_numbers)
+      fail("more points than the file has, or a mesh that is repeated too often");
+    std::vector<double> result(count * size);
+    if (accessor.contains("bufferView"))
+      result = stored(accessor, accessor, count, size);
+    else if (!accessor.contains("sparse"))
+      fail("has no data" + m_hint);
+    if (accessor.contains("sparse")) {
+      const Json& sparse = accessor["sparse"];
+      const std::size_t number = index(sparse.at("count"));
+      const std::vector<double> places = stored(sparse.at("indices"), sparse.at("indices"), number,
+                                                1),
+                                changes = stored(sparse.at("values"), accessor, number, size);
+      if (!are_below(places, count))
+        fail("an index of an element that does not exist");
+      for (std::size_t i = 0; i < number; ++i)
+        std::copy_n(&changes[i * size], size, &result[std::size_t(places[i]) * size]);
+    }
+    return result;
+  }
+
+  /// Numbers of a buffer.
+  /// \param place names their buffer view
+  /// \param format names their type
+  std::vector<double> stored(const Json& place, const Json& format, std::size_t count,
+                             std::size_t components) const
+  {
+    constexpr std::size_t first_type = 5120;
+    const std::size_t code = index(format.at("componentType"));
+    if (code < first_type || code > first_type + std::size_t(Number_type::FLOAT32))
+      fail("an unknown type of numbers");
+    const Number_type type = Number_type(code - first_type);
+    const bool is_normalized = format.value("normalized", false);
+
+    const Json& view = m_json.at("bufferViews").at(index(place.at("bufferView")));
+    const std::size_t buffer = index(view.at("buffer")), start = index(view, "byteOffset", 0),
+                      length = index(view.at("byteLength"));
+    const std::size_t size = components * size_of(type), offset = index(place, "byteOffset", 0),
+                      stride = (std::max)(index(view, "byteStride", size), std::size_t(1));
+    if (buffer >= m_buffers.size() || m_buffers[buffer].empty())
+      fail("has no data" + m_hint);
+    const std::string_view bytes = std::string_view(m_buffers[buffer])
+                                     .substr((std::min)(start, m_buffers[buffer].size()), length);
+    if (count > 0 && (offset > bytes.size() || size > bytes.size() - offset ||
+                      count - 1 > (bytes.size() - offset - size) / stride))
+      fail("reaches beyond the end of its data");
+    std::vector<double> result;
+    result.reserve(count * components);
+    with_type(type, [&](auto zero) {
+      using Number = decltype(zero);
+      constexpr double unit = double((std::numeric_limits<Number>::max)());
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < components; ++j) {
+          const double number = read_little_endian<Number>(
+            &bytes[offset + i * stride + j * sizeof(Number)]);
+          result.push_back(is_normalized ? (std::max)(number / unit, -1.0) : number);
+        }
+    });
+    return result;
+  }
+
   /// Many nodes may show one mesh, as of a screw; what is repeated more often was made to exhaust
   /// the memory.
-  static constexpr std::size_t most_numbers_per_byte = 10;
+  static constexpr std::size_t most_numbers_per_byte = 30;
+  static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 
   const std::string& m_file;
-  const tinygltf::Model m_model;
-  std::size_t m_most_numbers = 1000000; // of points and corners
+  std::size_t m_most_numbers, m_number_of_numbers = 0; // of coordinates and indices
+  std::string_view m_text, m_binary;
+  Json m_json;
+  std::string m_place; // in messages: what is read, with a colon
+  std::string m_hint;  // on data that are not there
+  std::vector<std::string> m_buffers;
   Polygon_soup m_soup;
   std::size_t m_number_of_skipped = 0;
 };

@@ -26,7 +26,7 @@ std::size_t index_below(const Text_scanner& scan, std::string_view word, std::si
 
 std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& input)
 {
-  const std::string bytes = load_bytes(file, input.remarks);
+  const std::string bytes = load_bytes(file);
   const Edge_list edges(input.soup);
   Text_scanner scan(file, bytes, '#');
   const auto next_point = [&] {
@@ -53,7 +53,7 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& i
 
 std::vector<std::size_t> read_seeds(const std::string& file, Input_mesh& input)
 {
-  const std::string bytes = load_bytes(file, input.remarks);
+  const std::string bytes = load_bytes(file);
   Text_scanner scan(file, bytes, '#');
   std::vector<std::size_t> result(input.soup.polygons.size(), no_seed);
   while (scan.next_line()) {

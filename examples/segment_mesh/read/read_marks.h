@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MARKS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MARKS_H
 
-#include "read/Side_files.h"
 #include "read/read_mesh.h"
 #include "segmentation/Marks.h"
 

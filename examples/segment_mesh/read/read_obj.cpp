@@ -2,7 +2,7 @@
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/read_soup.h"
+#include "read/read_mesh.h"
 
 #include <algorithm>
 #include <iterator>
@@ -31,16 +31,16 @@ public:
   {
     while (m_scan.next_line()) {
       const std::string_view statement = m_scan.word();
-      if (statement == "v")
+      if (is_word(statement, "v"))
         read_point();
-      else if (statement == "f")
+      else if (is_word(statement, "f"))
         read_face();
-      else if (std::find(std::begin(other_statements), std::end(other_statements), statement) ==
-               std::end(other_statements))
+      else if (std::none_of(std::begin(other_statements), std::end(other_statements),
+                            [=](std::string_view other) { return is_word(statement, other); }))
         keep_unknown(statement);
     }
-    if (m_soup.polygons.empty())
-      fail_without_faces();
+    if (m_soup.polygons.empty() && m_number_of_unknown > 0)
+      throw Input_error(m_file, m_line_of_unknown, "unknown statement " + m_unknown);
     if (m_highest_index > std::int64_t(m_soup.points.size()))
       throw Input_error(m_file, m_line_of_highest_index, out_of_range(m_highest_index));
     if (m_number_of_unknown > 0)
@@ -59,13 +59,6 @@ private:
       return;
     m_unknown = in_quotes(statement);
     m_line_of_unknown = m_scan.line_number();
-  }
-
-  [[noreturn]] void fail_without_faces() const
-  {
-    if (m_number_of_unknown > 0)
-      throw Input_error(m_file, m_line_of_unknown, "unknown statement " + m_unknown);
-    throw Input_error(m_file, "no faces");
   }
 
   void read_point()

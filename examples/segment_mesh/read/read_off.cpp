@@ -2,10 +2,11 @@
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/read_soup.h"
+#include "read/read_mesh.h"
 #include "soup/vector_algebra.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -17,8 +18,14 @@ constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
 struct Off_header
 {
   bool is_homogeneous;
+  int number_of_values; // of a vertex: coordinates, normal, color, texture
   std::int64_t number_of_vertices, number_of_faces;
 };
+
+/// How items lie in the text. Most programs write one on each line, perhaps with values that the
+/// header does not name. The format has words that may be on any line; the color of a face, if it
+/// has one, ends with the line.
+enum class Off_layout { ITEMS_ON_LINES, FACES_END_LINES, WORDS };
 
 std::int64_t read_count(Text_scanner& scan, std::string_view word, const char* what)
 {
@@ -37,17 +44,22 @@ bool skip(std::string_view prefix, std::string_view& text)
   return is_there;
 }
 
-/// `[ST][C][N][4]OFF`, and the numbers of vertices, faces and edges, the first of which may follow
-/// without a blank.
+/// `OFF` after `ST`, `C`, `N` and `4` for what vertices have, and the numbers of vertices, faces
+/// and edges, the first of which may follow without a blank.
 Off_header read_header(Text_scanner& scan)
 {
   const std::string_view keyword = scan.word_of_any_line();
   std::string_view rest = keyword;
-  skip("ST", rest);
-  skip("C", rest);
-  skip("N", rest);
   Off_header header{};
-  header.is_homogeneous = skip("4", rest);
+  header.number_of_values = 3;
+  const auto has = [&](const char* prefix, int number_of_values) {
+    const bool is_there = skip(prefix, rest);
+    header.number_of_values += is_there ? number_of_values : 0;
+    return is_there;
+  };
+  while (has("ST", 2) || has("C", 4) || has("N", 3)) { // in any order, as programs write them
+  }
+  header.is_homogeneous = has("4", 1);
   if (!skip("OFF", rest) || rest.find_first_not_of("0123456789") != std::string_view::npos)
     scan.fail("no OFF header, but " + in_quotes(keyword));
   const std::string_view first = rest.empty() ? scan.word_of_any_line() : rest;
@@ -61,81 +73,121 @@ Off_header read_header(Text_scanner& scan)
   return header;
 }
 
-/// Goes to the line of the item that is due.
-/// \throws Input_error if there is none
-void next_item(Text_scanner& scan, std::size_t item, std::size_t promised, const std::string& what)
+/// Reads the items that the header promises.
+class Off_reader
 {
-  if (!scan.next_line())
-    scan.fail("the header promises " + counted(promised, what) + ", the file ends after " +
-              std::to_string(item) + " (each on a line of its own)");
-}
+public:
+  Off_reader(Text_scanner scan, const Off_header& header, Off_layout layout)
+    : m_scan(std::move(scan))
+    , m_header(header)
+    , m_layout(layout)
+  {}
 
-Point read_point(Text_scanner& scan, const Off_header& header)
-{
-  const std::size_t size = header.is_homogeneous ? 4 : 3;
-  double values[4];
-  for (std::size_t j = 0; j < size; ++j) {
-    const std::string_view word = scan.word();
-    if (word.empty())
-      scan.fail("a vertex with " + std::to_string(j) + " of " + std::to_string(size) +
-                " coordinates");
-    values[j] = scan.finite_number(word);
+  Polygon_soup read(Remarks& remarks)
+  {
+    const std::size_t number_of_vertices(m_header.number_of_vertices),
+      number_of_faces(m_header.number_of_faces);
+    Polygon_soup soup;
+    soup.points.reserve((std::min)(number_of_vertices, m_scan.available() / least_vertex_size + 1));
+    soup.polygons.reserve((std::min)(number_of_faces, m_scan.available() / least_face_size + 1));
+    while (soup.points.size() < number_of_vertices) {
+      next_item(soup.points.size(), number_of_vertices, "vertex");
+      soup.points.push_back(read_point());
+      if (m_layout == Off_layout::ITEMS_ON_LINES)
+        m_scan.skip_line();
+    }
+    while (soup.polygons.size() < number_of_faces) {
+      next_item(soup.polygons.size(), number_of_faces, "face");
+      read_face(soup.polygons);
+      if (m_layout != Off_layout::WORDS)
+        m_scan.skip_line();
+    }
+    if (go_to_word()) {
+      if (m_layout != Off_layout::ITEMS_ON_LINES)
+        m_scan.fail("more words than the header promises");
+      remarks.push_back(m_scan.not_read() + ": the header promises " +
+                        counted(number_of_faces, "face"));
+    }
+    return soup;
   }
-  if (!header.is_homogeneous)
-    return {values[0], values[1], values[2]};
-  if (values[3] == 0)
-    scan.fail("a vertex at infinity: its fourth coordinate is 0");
-  const Point point = {values[0] / values[3], values[1] / values[3], values[2] / values[3]};
-  if (!is_finite(point))
-    scan.fail("a vertex whose coordinates, divided by the fourth, are not finite numbers");
-  return point;
-}
 
-void read_face(Text_scanner& scan, const Off_header& header, Polygons& polygons)
-{
-  const std::int64_t size = scan.integer(scan.word(), "a number of vertices of a face");
-  if (size < 3)
-    scan.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
-  for (std::int64_t j = 0; j < size; ++j) {
-    const std::string_view word = scan.word();
-    if (word.empty())
-      scan.fail("a face with " + std::to_string(j) + " of " + std::to_string(size) + " indices");
-    const std::int64_t index = scan.integer(word, "an index of a vertex");
-    if (index < 0 || index >= header.number_of_vertices)
-      scan.fail("index " + std::to_string(index) + " is out of range: there are " +
-                counted(std::size_t(header.number_of_vertices), "vertex") + ", from 0");
-    polygons.add_corner(std::size_t(index));
+private:
+  bool go_to_word() { return m_scan.has_word() || m_scan.next_line(); }
+
+  void next_item(std::size_t item, std::size_t promised, const char* what)
+  {
+    if (!go_to_word())
+      m_scan.fail("the header promises " + counted(promised, what) + ", the file ends after " +
+                  std::to_string(item));
   }
-  polygons.close_polygon();
-}
+
+  /// The next word of an item of which `size` words of a kind are due.
+  std::string_view word(std::int64_t i, std::int64_t size, const char* item, const char* what)
+  {
+    const std::string_view word = m_layout == Off_layout::ITEMS_ON_LINES
+                                    ? m_scan.word()
+                                    : m_scan.word_of_any_line();
+    if (word.empty())
+      m_scan.fail(std::string(item) + " with " + std::to_string(i) + " of " + std::to_string(size) +
+                  " " + what);
+    return word;
+  }
+
+  Point read_point()
+  {
+    const int size = m_header.is_homogeneous ? 4 : 3;
+    double values[4];
+    for (int j = 0; j < size; ++j)
+      values[j] = m_scan.finite_number(word(j, size, "a vertex", "coordinates"));
+    for (int j = size; m_layout != Off_layout::ITEMS_ON_LINES && j < m_header.number_of_values; ++j)
+      word(j, m_header.number_of_values, "a vertex", "values");
+    if (!m_header.is_homogeneous)
+      return {values[0], values[1], values[2]};
+    if (values[3] == 0)
+      m_scan.fail("a vertex at infinity: its fourth coordinate is 0");
+    const Point point = {values[0] / values[3], values[1] / values[3], values[2] / values[3]};
+    if (!is_finite(point))
+      m_scan.fail("a vertex whose coordinates, divided by the fourth, are not finite numbers");
+    return point;
+  }
+
+  void read_face(Polygons& polygons)
+  {
+    const std::int64_t size = m_scan.integer(m_scan.word(), "a number of vertices of a face");
+    if (size < 3)
+      m_scan.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
+    for (std::int64_t j = 0; j < size; ++j) {
+      const std::int64_t index = m_scan.integer(word(j, size, "a face", "indices"),
+                                                "an index of a vertex");
+      if (index < 0 || index >= m_header.number_of_vertices)
+        m_scan.fail("index " + std::to_string(index) + " is out of range: there are " +
+                    counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+      polygons.add_corner(std::size_t(index));
+    }
+    polygons.close_polygon();
+  }
+
+  Text_scanner m_scan;
+  const Off_header m_header;
+  const Off_layout m_layout;
+};
 
 } // namespace
 
 Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
-  if (bytes.find('\n') == std::string_view::npos && bytes.find('\r') != std::string_view::npos)
-    throw Input_error(file, "its lines end with carriage returns alone, not with line feeds");
   Text_scanner scan(file, bytes, '#');
   const Off_header header = read_header(scan);
-  const std::size_t number_of_vertices(header.number_of_vertices),
-    number_of_faces(header.number_of_faces);
-  Polygon_soup soup;
-  soup.points.reserve((std::min)(number_of_vertices, bytes.size() / least_vertex_size));
-  soup.polygons.reserve((std::min)(number_of_faces, bytes.size() / least_face_size));
-  while (soup.points.size() < number_of_vertices) {
-    // What is left of the header's line is the first vertex.
-    if (!(soup.points.empty() && scan.has_word()))
-      next_item(scan, soup.points.size(), number_of_vertices, "vertex");
-    soup.points.push_back(read_point(scan, header));
+  try {
+    return Off_reader(scan, header, Off_layout::ITEMS_ON_LINES).read(remarks);
+  } catch (const Input_error&) {
+    for (const Off_layout other : {Off_layout::FACES_END_LINES, Off_layout::WORDS})
+      try {
+        return Off_reader(scan, header, other).read(remarks);
+      } catch (const Input_error&) { // the message on the usual layout is the clearest one
+      }
+    throw;
   }
-  while (soup.polygons.size() < number_of_faces) {
-    next_item(scan, soup.polygons.size(), number_of_faces, "face");
-    read_face(scan, header, soup.polygons);
-  }
-  if (scan.next_line())
-    remarks.push_back(scan.not_read() + ": the header promises " +
-                      counted(number_of_faces, "face"));
-  return soup;
 }
 
 } // namespace segment_mesh

@@ -1,34 +1,211 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read/Ply_binary.h"
-#include "read/Ply_header.h"
-#include "read/Ply_text.h"
-#include "read/read_soup.h"
+#include "read/Text_scanner.h"
+#include "read/errors.h"
+#include "read/little_endian.h"
+#include "read/read_mesh.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
 
-/// Reads the data of a file. `Values` knows how values stand in it: `Ply_text` or `Ply_binary`.
-template <typename Values>
+/// What the reader makes of a property.
+enum class Ply_role { X, Y, Z, CORNERS, STRIPS, NONE };
+
+struct Ply_property
+{
+  std::string name;
+  Number_type type;
+  bool is_list = false;
+  Number_type size_type = Number_type::UINT8; ///< of a list
+  Ply_role role = Ply_role::NONE;
+};
+
+struct Ply_element
+{
+  std::string name;
+  std::uint64_t count;
+  std::size_t line;
+  std::vector<Ply_property> properties;
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
+  bool is_strips() const { return name == "tristrips"; }
+};
+
+struct Ply_header
+{
+  std::size_t format; // 0: text; 1 and 2: binary, little and big endian
+  std::vector<Ply_element> elements;
+  std::uint64_t number_of_vertices = 0;
+};
+
+/// The names of formats, in the order of their numbers.
+constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+
+/// The two names of each type, in the order of `Number_type`.
+constexpr const char* types[][2] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
+                                    {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
+                                    {"float", "float32"}, {"double", "float64"}};
+
+/// "4 items of element 'face'".
+std::string items_of(const Ply_element& element)
+{
+  return counted(std::size_t(element.count), "item") + " of element " + in_quotes(element.name);
+}
+
+Number_type read_type(Text_scanner& scan)
+{
+  const std::string_view word = scan.word();
+  const auto found = std::find_if(std::begin(types), std::end(types), [word](const auto& names) {
+    return is_word(word, names[0]) || is_word(word, names[1]);
+  });
+  if (found == std::end(types))
+    scan.fail("unknown type of a property: " + in_quotes(word));
+  return Number_type(found - std::begin(types));
+}
+
+Ply_element read_element(Text_scanner& scan)
+{
+  Ply_element element{std::string(scan.word()), 0, scan.line_number(), {}};
+  const std::int64_t count = scan.integer(scan.word(), "a number of items");
+  if (count < 0)
+    scan.fail(std::to_string(count) + " is not a number of items");
+  element.count = std::uint64_t(count);
+  return element;
+}
+
+Ply_role role_of(const Ply_element& element, const std::string& property)
+{
+  if (element.is_vertex() && property.size() == 1 && property >= "x" && property <= "z")
+    return Ply_role(property[0] - 'x');
+  const bool is_list_of_vertices = property == "vertex_indices" || property == "vertex_index";
+  if (element.is_face() && is_list_of_vertices)
+    return Ply_role::CORNERS;
+  if (element.is_strips() && is_list_of_vertices)
+    return Ply_role::STRIPS;
+  return Ply_role::NONE;
+}
+
+Ply_property read_property(Text_scanner& scan, const Ply_element& element)
+{
+  Ply_property property{};
+  Text_scanner ahead = scan;
+  property.is_list = is_word(ahead.word(), "list");
+  if (property.is_list) {
+    scan = ahead;
+    property.size_type = read_type(scan);
+    if (is_floating_point(property.size_type))
+      scan.fail("a list whose size is not an integer");
+  }
+  property.type = read_type(scan);
+  property.name = std::string(scan.word());
+  if (property.name.empty())
+    scan.fail("a property without a name");
+
+  property.role = role_of(element, property.name);
+  if (property.role == Ply_role::CORNERS || property.role == Ply_role::STRIPS) {
+    if (!property.is_list || is_floating_point(property.type))
+      scan.fail("property " + property.name + " is not a list of integers");
+  } else if (property.role != Ply_role::NONE && property.is_list)
+    scan.fail("property " + property.name + " is a list, not a number");
+  return property;
+}
+
+void check_element(const std::string& file, const Ply_element& element)
+{
+  const auto count = [&element](Ply_role role) {
+    return std::count_if(element.properties.begin(), element.properties.end(),
+                         [role](const Ply_property& p) { return p.role == role; });
+  };
+  if (element.count > 0 && element.properties.empty())
+    throw Input_error(file, element.line,
+                      "element " + in_quotes(element.name) + " has no properties");
+  if (element.is_vertex() &&
+      !(count(Ply_role::X) == 1 && count(Ply_role::Y) == 1 && count(Ply_role::Z) == 1))
+    throw Input_error(file, element.line, "a vertex needs the properties x, y and z, once each");
+  if (element.is_face() && count(Ply_role::CORNERS) != 1)
+    throw Input_error(file, element.line, "a face needs the property vertex_indices, once");
+  if (element.is_strips() && count(Ply_role::STRIPS) != 1)
+    throw Input_error(file, element.line, "triangle strips need the property vertex_indices, once");
+}
+
+/// Reads the header, and checks that there are what vertices, faces and triangle strips need.
+/// \param scan at the start of the file; left at the last line of the header
+Ply_header read_header(const std::string& file, Text_scanner& scan)
+{
+  if (!scan.next_line() || !is_word(scan.word(), "ply") || scan.line_number() != 1)
+    scan.fail("no PLY header");
+  Ply_header header{};
+  std::vector<Ply_element>& elements = header.elements;
+  std::string format;
+  for (;;) {
+    if (!scan.next_line())
+      scan.fail("the file ends before 'end_header'");
+    const std::string_view keyword = scan.word();
+    if (is_word(keyword, "end_header"))
+      break;
+    if (is_word(keyword, "format"))
+      format = std::string(scan.word());
+    else if (is_word(keyword, "element"))
+      elements.push_back(read_element(scan));
+    else if (is_word(keyword, "property") && !elements.empty())
+      elements.back().properties.push_back(read_property(scan, elements.back()));
+    else if (!is_word(keyword, "comment") && !is_word(keyword, "obj_info"))
+      scan.fail("unknown line of a PLY header: " + in_quotes(keyword));
+  }
+  const auto found = std::find_if(std::begin(formats), std::end(formats),
+                                  [&format](const char* name) { return is_word(format, name); });
+  if (found == std::end(formats))
+    throw Input_error(file, "unknown format " + in_quotes(format) + " in the PLY header");
+  header.format = std::size_t(found - std::begin(formats));
+  for (const Ply_element& element : elements) {
+    check_element(file, element);
+    if (element.is_vertex())
+      header.number_of_vertices += element.count;
+  }
+  return header;
+}
+
+/// What follows the header. \param start where the line after the header starts
+std::string_view data_after_header(std::string_view bytes, std::size_t start)
+{
+  // Where lines end with a carriage return alone, a line feed after the header is data.
+  const std::size_t end_of_line = bytes.find_first_of("\r\n");
+  const bool has_returns_alone = bytes.substr(end_of_line, 2) != "\r\n" &&
+                                 bytes[end_of_line] == '\r';
+  if (has_returns_alone && bytes.substr(start - 2, 2) == "\r\n")
+    --start;
+  return bytes.substr(start);
+}
+
+/// Reads the data of a file. Items of a text may span lines.
 class Ply_reader
 {
 public:
-  Ply_reader(const Ply_header& header, Values values)
-    : m_header(header)
-    , m_values(std::move(values))
+  Ply_reader(const std::string& file, std::string_view bytes)
+    : m_file(file)
+    , m_scan(file, bytes, Text_scanner::no_comments)
+    , m_header(read_header(file, m_scan))
+    , m_is_text(m_header.format == 0)
+    , m_data(data_after_header(bytes, m_scan.offset_of_next_line()))
   {}
 
   Polygon_soup read(Remarks& remarks)
   {
     for (const Ply_element& element : m_header.elements) {
+      m_element = &element;
       reserve(element);
       const bool is_vertex = element.is_vertex();
-      for (std::uint64_t item = 0; item < element.count; ++item) {
-        m_values.start(element, item);
+      for (m_item = 0; m_item < element.count; ++m_item) {
         Point point{};
         for (const Ply_property& property : element.properties)
           read_property(property, point);
@@ -36,64 +213,140 @@ public:
           m_soup.points.push_back(point);
       }
     }
-    if (const std::string rest = m_values.rest(); !rest.empty() && !m_soup.polygons.empty())
-      remarks.push_back(rest + ": the header promises " +
-                        one_line(items_of(m_header.elements.back())));
+    const bool has_more = m_is_text ? m_scan.has_word() || m_scan.next_line() : !m_data.empty();
+    if (has_more && !m_soup.polygons.empty())
+      remarks.push_back(
+        (m_is_text ? m_scan.not_read() : bytes_not_read(m_file, m_data.size()) + " at the end") +
+        ": the header promises " + items_of(m_header.elements.back()));
     return std::move(m_soup);
   }
 
 private:
+  [[noreturn]] void fail(const std::string& cause) const
+  {
+    if (m_is_text)
+      m_scan.fail(cause);
+    throw Input_error(m_file, "item " + std::to_string(m_item) + " of element " +
+                                in_quotes(m_element->name) + ", from 0: " + cause);
+  }
+
+  [[noreturn]] void fail_cut_off() const
+  {
+    const std::string cause = "the header promises " + items_of(*m_element) +
+                              ", the file ends after " + std::to_string(m_item);
+    if (m_is_text)
+      m_scan.fail(cause);
+    throw Input_error(m_file, cause);
+  }
+
   void reserve(const Ply_element& element)
   {
+    constexpr std::size_t digit_and_blank = 2;
     std::size_t least_size = 0;
     for (const Ply_property& property : element.properties)
-      least_size += Values::least_size_of(property.is_list ? property.size_type : property.type);
+      least_size += m_is_text ? digit_and_blank
+                              : size_of(property.is_list ? property.size_type : property.type);
     if (least_size == 0)
       return;
-    const std::size_t size = bounded(element.count, least_size);
+    const std::size_t available = m_is_text ? m_scan.available() : m_data.size();
+    const std::size_t size((std::min)(element.count, std::uint64_t(available / least_size)));
     if (element.is_vertex())
       m_soup.points.reserve(m_soup.points.size() + size);
     if (element.is_face())
       m_soup.polygons.reserve(m_soup.polygons.size() + size);
   }
 
-  /// A number of things, as far as the file can hold them.
-  std::size_t bounded(std::uint64_t number, std::size_t least_size) const
+  std::string_view word()
   {
-    return std::size_t((std::min)(number, std::uint64_t(m_values.available() / least_size)));
+    const std::string_view result = m_scan.word_of_any_line();
+    if (result.empty())
+      fail_cut_off();
+    return result;
+  }
+
+  /// A value of binary data.
+  template <typename Result>
+  Result take(Number_type type)
+  {
+    return with_type(type, [this](auto zero) {
+      using Value = decltype(zero);
+      if (m_data.size() < sizeof(Value))
+        fail_cut_off();
+      const Value value = read_bytes<Value>(m_data.data(), m_header.format == 1);
+      m_data.remove_prefix(sizeof(Value));
+      return Result(value);
+    });
+  }
+
+  /// \pre the type is an integer
+  std::int64_t integer(Number_type type)
+  {
+    if (!m_is_text)
+      return take<std::int64_t>(type);
+    const std::int64_t value = m_scan.integer(word(), "an integer");
+    const bool is_in_range = with_type(type, [value](auto zero) {
+      using Limits = std::numeric_limits<decltype(zero)>;
+      return value >= std::int64_t((Limits::min)()) && value <= std::int64_t((Limits::max)());
+    });
+    if (!is_in_range)
+      fail(std::to_string(value) + " is too large for its type");
+    return value;
+  }
+
+  double coordinate(const Ply_property& property)
+  {
+    if (!is_floating_point(property.type))
+      return double(integer(property.type));
+    double value = m_is_text ? m_scan.finite_number(word()) : take<double>(property.type);
+    if (property.type == Number_type::FLOAT32)
+      value = float(value);
+    if (!std::isfinite(value))
+      fail(property.name + " is not a finite number");
+    return value;
+  }
+
+  void skip(Number_type type, std::uint64_t number)
+  {
+    for (std::uint64_t i = 0; m_is_text && i < number; ++i)
+      word();
+    if (m_is_text)
+      return;
+    if (m_data.size() / size_of(type) < number)
+      fail_cut_off();
+    m_data.remove_prefix(std::size_t(number) * size_of(type));
   }
 
   void read_property(const Ply_property& property, Point& point)
   {
-    const std::int64_t size = property.is_list ? m_values.integer(property.size_type) : 1;
+    const std::int64_t size = property.is_list ? integer(property.size_type) : 1;
     if (property.role == Ply_role::CORNERS)
       read_face(property.type, size);
     else if (size < 0)
-      m_values.fail("a list of " + std::to_string(size) + " values");
+      fail("a list of " + std::to_string(size) + " values");
     else if (property.role == Ply_role::STRIPS)
       read_strips(property.type, size);
     else if (property.role == Ply_role::NONE)
-      m_values.skip(property.type, std::uint64_t(size));
+      skip(property.type, std::uint64_t(size));
     else
-      point[std::size_t(property.role)] = m_values.coordinate(property);
+      point[std::size_t(property.role)] = coordinate(property);
   }
 
-  void read_face(Ply_type type, std::int64_t size)
+  void read_face(Number_type type, std::int64_t size)
   {
     if (size < 3)
-      m_values.fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
+      fail("a face with " + std::to_string(size) + " vertices, fewer than 3");
     for (std::int64_t i = 0; i < size; ++i)
-      m_soup.polygons.add_corner(checked(m_values.integer(type)));
+      m_soup.polygons.add_corner(checked(integer(type)));
     m_soup.polygons.close_polygon();
   }
 
   /// Each point after two makes a triangle with these, whose orientation alternates; -1 ends a
   /// strip. Triangles with a point twice lead from one strip to the next, and are none.
-  void read_strips(Ply_type type, std::int64_t size)
+  void read_strips(Number_type type, std::int64_t size)
   {
     std::size_t a = 0, b = 0, length = 0;
     for (std::int64_t i = 0; i < size; ++i) {
-      const std::int64_t index = m_values.integer(type);
+      const std::int64_t index = integer(type);
       if (index == -1) {
         length = 0;
         continue;
@@ -110,13 +363,18 @@ private:
   std::size_t checked(std::int64_t index) const
   {
     if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
-      m_values.fail("index " + std::to_string(index) + " is out of range: there are " +
-                    counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+      fail("index " + std::to_string(index) + " is out of range: there are " +
+           counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
     return std::size_t(index);
   }
 
-  const Ply_header& m_header;
-  Values m_values;
+  const std::string& m_file;
+  Text_scanner m_scan;
+  const Ply_header m_header;
+  const bool m_is_text;
+  std::string_view m_data; // of a binary file
+  const Ply_element* m_element = nullptr;
+  std::uint64_t m_item = 0; // of that element, which is read
   Polygon_soup m_soup;
 };
 
@@ -124,15 +382,7 @@ private:
 
 Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
-  Text_scanner scan(file, bytes, Text_scanner::no_comments);
-  const Ply_header header = read_ply_header(file, scan);
-  const std::string_view data = bytes.substr(scan.offset_of_next_line());
-  Polygon_soup soup = header.format == Ply_format::ASCII
-                        ? Ply_reader(header, Ply_text(std::move(scan))).read(remarks)
-                        : Ply_reader(header, Ply_binary(file, data, header.format)).read(remarks);
-  if (soup.polygons.empty())
-    throw Input_error(file, "no faces");
-  return soup;
+  return Ply_reader(file, bytes).read(remarks);
 }
 
 } // namespace segment_mesh

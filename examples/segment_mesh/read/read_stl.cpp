@@ -3,11 +3,8 @@
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/little_endian.h"
-#include "read/read_soup.h"
-#include "soup/merge_equal_points.h"
+#include "read/read_mesh.h"
 #include "soup/vector_algebra.h"
-
-#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 
@@ -25,21 +22,17 @@ std::size_t promised_triangles(std::string_view bytes)
   return bytes.size() < data_offset ? 0 : read_little_endian<std::uint32_t>(&bytes[header_size]);
 }
 
-/// Some programs write words in capitals.
-bool is(std::string_view word, const char* expected)
+bool has_size_of_binary(std::string_view bytes)
 {
-  return boost::algorithm::iequals(word, expected);
+  return bytes.size() == data_offset + triangle_size * promised_triangles(bytes);
 }
 
 /// Binary files whose header starts with "solid" do exist.
 bool is_text(std::string_view bytes)
 {
-  const bool has_size_of_binary = bytes.size() >= data_offset &&
-                                  bytes.size() ==
-                                    data_offset + triangle_size * promised_triangles(bytes);
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = (std::min)(text.find_first_not_of(" \t\r\n"), text.size());
-  return !has_size_of_binary && is(text.substr(start, 5), "solid") &&
+  return !has_size_of_binary(bytes) && is_word(text.substr(start, 5), "solid") &&
          text.find('\0') == std::string_view::npos;
 }
 
@@ -56,6 +49,8 @@ Polygon_soup triangles_on(std::vector<Point> points)
 
 Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
+  if (!has_size_of_binary(bytes))
+    check_encoding(file, bytes);
   if (bytes.size() < data_offset)
     throw Input_error(file,
                       "neither a text that starts with 'solid' nor long enough for a binary STL");
@@ -83,7 +78,7 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remark
   return triangles_on(std::move(points));
 }
 
-/// The rest of a facet, after its first word.
+/// The rest of a facet, after its first word. Words that are not due, as of colors, are skipped.
 void read_facet(Text_scanner& scan, std::vector<Point>& points)
 {
   const auto due_word = [&scan] {
@@ -93,8 +88,10 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     return word;
   };
   std::size_t size = 0;
-  for (std::string_view word = due_word(); !is(word, "endfacet"); word = due_word()) {
-    if (!is(word, "vertex"))
+  for (std::string_view previous, word = due_word();
+       !is_word(word, "endfacet") && !(is_word(previous, "end") && is_word(word, "facet"));
+       previous = word, word = due_word()) {
+    if (!is_word(word, "vertex"))
       continue;
     if (++size > 3)
       scan.fail("a facet with more than 3 vertices");
@@ -106,23 +103,42 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     scan.fail("a face with " + counted(size, "vertex") + ", fewer than 3");
 }
 
+/// Skips the name of a solid, up to the end of its line, or past `facet normal` where the file has
+/// all on one line. \returns whether a facet follows
+bool skip_name(Text_scanner& scan)
+{
+  std::string_view previous, word = scan.word();
+  while (!word.empty() && !(is_word(previous, "facet") && is_word(word, "normal"))) {
+    previous = word;
+    word = scan.word();
+  }
+  return !word.empty();
+}
+
 /// Names of solids may hold any word, and solids may be several.
 Polygon_soup read_text(const std::string& file, std::string_view bytes)
 {
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   std::vector<Point> points;
   bool is_in_solid = false;
-  while (scan.next_line()) {
-    const std::string_view word = scan.word();
-    if (is(word, "solid") && !is_in_solid)
+  for (std::string_view word = scan.word_of_any_line(); !word.empty();
+       word = scan.word_of_any_line()) {
+    const bool is_end = is_word(word, "endsolid") ||
+                        (is_word(word, "end") && is_word(scan.word_of_any_line(), "solid"));
+    bool is_facet = is_in_solid && is_word(word, "facet");
+    if (is_word(word, "solid") && !is_in_solid) {
       is_in_solid = true;
-    else if (is(word, "endsolid") && is_in_solid)
-      is_in_solid = false;
-    else if (is(word, "facet") && is_in_solid)
-      read_facet(scan, points);
-    else
+      is_facet = skip_name(scan);
+    } else if (is_end && is_in_solid) {
+      is_in_solid = is_facet = skip_name(scan);
+    } else if (is_word(word, "color") && is_in_solid) {
+      for (int i = 0; i < 3; ++i)
+        scan.word();
+    } else if (!is_facet)
       scan.fail(in_quotes(word) +
                 (is_in_solid ? " where 'facet' or 'endsolid' is due" : " where 'solid' is due"));
+    if (is_facet)
+      read_facet(scan, points);
   }
   if (is_in_solid)
     scan.fail("the file ends before 'endsolid'");
@@ -133,11 +149,7 @@ Polygon_soup read_text(const std::string& file, std::string_view bytes)
 
 Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks)
 {
-  Polygon_soup soup = is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes, remarks);
-  if (soup.polygons.empty())
-    throw Input_error(file, "no faces");
-  merge_equal_points(soup);
-  return soup;
+  return is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes, remarks);
 }
 
 } // namespace segment_mesh

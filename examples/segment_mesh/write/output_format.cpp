@@ -3,7 +3,7 @@
 #include "write/output_format.h"
 
 #include "read/errors.h"
-#include "read/file_endings.h"
+#include "read/Mesh_format.h"
 
 #include <algorithm>
 #include <filesystem>

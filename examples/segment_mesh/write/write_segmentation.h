@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_SEGMENTATION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_SEGMENTATION_H
 
-#include "read/Side_files.h"
 #include "write/output_format.h"
 #include "read/read_mesh.h"
 #include "segmentation/Segmentation_details.h"
