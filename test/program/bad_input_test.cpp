@@ -59,8 +59,6 @@ INSTANTIATE_TEST_SUITE_P(
     Malformed{"binary", "a.off", "OFF BINARY\n", ":1: binary OFF is not supported"},
     Malformed{"dimension", "a.off", "nOFF\n3\n", ":1: no OFF header, but 'nOFF'"},
     Malformed{"count", "a.off", with(off, "4 4 0", "4 x 0"), ":2: 'x' is not a number of faces"},
-    Malformed{"negative", "a.off", with(off, "4 4 0", "-4 4 0"),
-              ":2: -4 is not a number of vertices"},
     Malformed{"no_edges", "a.off", with(off, "4 4 0\n0 0 0", "4 4\n0.5 0 0"),
               ":3: '0.5' is not a number of edges"},
     Malformed{"short_header", "a.off", "OFF\n4",
@@ -78,8 +76,6 @@ INSTANTIATE_TEST_SUITE_P(
               ":4: a vertex with 2 of 3 coordinates"},
     Malformed{"text", "a.off", with(off, "1 0 0", "1 zero 0"), ":4: 'zero' is not a number"},
     Malformed{"nan", "a.off", with(off, "1 0 0", "1 nan 0"), ":4: 'nan' is not a finite number"},
-    Malformed{"overflow", "a.off", with(off, "1 0 0", "1 1e999 0"),
-              ":4: '1e999' is not a finite number"},
     Malformed{"infinity", "a.off",
               with(with(off, "OFF", "4OFF"), "0 0 0\n1 0 0", "0 0 0 1\n1 0 0 0"),
               ":4: a vertex at infinity: its fourth coordinate is 0"},
@@ -103,8 +99,6 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
   Obj, Bad_input,
   testing::Values(
-    Malformed{"empty", "a.obj", "", ": is empty"},
-    Malformed{"no_faces", "a.obj", "v 0 0 0\n", ": no faces"},
     Malformed{"text", "a.obj", "hello world\n", ":1: unknown statement 'hello'"},
     Malformed{"long_word", "a.obj", std::string(100, 'x') + "\n",
               ":1: unknown statement 'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...'"},
@@ -114,8 +108,6 @@ INSTANTIATE_TEST_SUITE_P(
     Malformed{"continued", "a.obj", "v 0 0 \\\n 0\nv 0 \\\n x 0\n", ":4: 'x' is not a number"},
     Malformed{"cut_off", "a.obj", obj.substr(0, obj.size() - 3),
               ":8: a face with 2 vertices, fewer than 3"},
-    Malformed{"coordinate", "a.obj", with(obj, "v 1 0 0", "v 1 0"),
-              ":2: a vertex with 2 of 3 coordinates"},
     Malformed{"number", "a.obj", with(obj, "v 1 0 0", "v 1 0x1 0"), ":2: '0x1' is not a number"},
     Malformed{"index", "a.obj", with(obj, "f 2 3 4", "f 2 3 5"),
               ":7: index 5 is out of range: there are 4 vertices, from 1"},
@@ -154,7 +146,6 @@ std::string patched_ply(std::size_t offset, std::int32_t value)
 INSTANTIATE_TEST_SUITE_P(
   Ply, Bad_input,
   testing::Values(
-    Malformed{"empty", "a.ply", "", ": is empty"},
     Malformed{"magic", "a.ply", sample::off(), ":1: no PLY header"},
     Malformed{"header_cut_off", "a.ply", ply.substr(0, ply.find("property float z")),
               ":5: the file ends before 'end_header'"},
@@ -178,20 +169,12 @@ INSTANTIATE_TEST_SUITE_P(
               ":8: a list whose size is not an integer"},
     Malformed{"no_indices", "a.ply", with(ply, "vertex_indices", "corners"),
               ":7: a face needs the property vertex_indices, once"},
-    Malformed{"no_properties", "a.ply",
-              with(ply, "end_header", "element x 9999999999999\nend_header"),
-              ":9: element 'x' has no properties"},
     Malformed{"no_faces", "a.ply", with(ply, "face 4", "face 0"), ": no faces"},
     Malformed{"float", "a.ply", with(ply, "1 0 0", "1 1e99 0"), ":11: y is not a finite number"},
     Malformed{"index", "a.ply", with(ply, "3 1 2 3", "3 1 2 4"),
               ":16: index 4 is out of range: there are 4 vertices, from 0"},
     Malformed{"edge", "a.ply", with(ply, "3 1 2 3", "2 1 2"),
               ":16: a face with 2 vertices, fewer than 3"},
-    Malformed{
-      "negative_list", "a.ply",
-      with(with(ply, "element face", "element x 1\nproperty list char int ids\nelement face"),
-           "3 0 2 1", "-1\n3 0 2 1"),
-      ":16: a list of -1 values"},
     Malformed{"negative_face", "a.ply",
               with(with(ply, "uchar int", "char int"), "3 1 2 3", "-3 1 2 3"),
               ":16: a face with -3 vertices, fewer than 3"},
@@ -223,7 +206,6 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
   Stl, Bad_input,
   testing::Values(
-    Malformed{"empty", "a.stl", "", ": is empty"},
     Malformed{"text", "a.stl", "hello\n",
               ": neither a text that starts with 'solid' nor long enough for a binary STL"},
     Malformed{"no_faces", "a.stl", "solid\nendsolid\n", ": no faces"},
