@@ -7,7 +7,7 @@
 #include "command_line/command_line.h"
 #include "demo/articulated_figure.h"
 #include "read/errors.h"
-#include "write/standard_streams.h"
+#include "write/Whole_file.h"
 
 #include <tbb/global_control.h>
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -47,20 +48,45 @@ TEST(Whole_file, tells_file_and_cause)
             folder.path("none/a.seg") + ": cannot be written: No such file or directory");
   std::filesystem::create_directory(folder.path("a.seg"));
   EXPECT_EQ(message(folder.path("a.seg")), folder.path("a.seg") + ": is a directory");
-  ASSERT_EQ(mkfifo(folder.path("b.seg").c_str(), 0600), 0);
-  EXPECT_EQ(message(folder.path("b.seg")), folder.path("b.seg") + ": is not a regular file");
+  EXPECT_EQ(message("/dev/fd/999"), "/dev/fd/999: cannot be written: No such file or directory");
   std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
   EXPECT_EQ(message(folder.path("loop.seg")),
             folder.path("loop.seg") + ": is a symbolic link that leads to itself");
 }
 
-TEST(Whole_file, takes_single_characters)
+TEST(Whole_file, writes_directly_what_is_no_regular_file)
 {
   const Temporary_folder folder;
-  Whole_file whole(folder.path("a.seg"));
-  whole.stream().put('a').put('\xff').put('\0') << 'b' << std::flush;
-  whole.commit();
-  EXPECT_EQ(folder.read("a.seg"), std::string("a\xff\0b", 4));
+  const std::string pipe = folder.path("pipe"), file = folder.write("a.seg", "old, ");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK),
+            descriptor = open(file.c_str(), O_WRONLY | O_APPEND);
+  for (const std::string& name : {pipe, "/dev/fd/" + std::to_string(descriptor)}) {
+    EXPECT_TRUE(is_written_directly(name)) << name;
+    Whole_file whole(name);
+    whole.stream() << "new";
+    whole.commit();
+  }
+  char bytes[10];
+  EXPECT_EQ(read(reader, bytes, sizeof bytes), 3);
+  EXPECT_EQ(folder.read("a.seg"), "old, new");
+  close(reader);
+  close(descriptor);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_TRUE(is_written_directly("-"));
+  EXPECT_TRUE(is_written_directly("/dev/null"));
+  EXPECT_FALSE(is_written_directly(file));
+  EXPECT_FALSE(is_written_directly(folder.path("")));
+  EXPECT_FALSE(is_written_directly("/dev/shm/none"));
+}
+
+TEST(Whole_file, tells_that_a_device_is_full)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full here";
+  Whole_file whole("/dev/full");
+  whole.stream() << "new";
+  EXPECT_THROW(whole.commit(), Output_error);
 }
 
 TEST(Whole_file, tells_why_it_cannot_take_its_place)

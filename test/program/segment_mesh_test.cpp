@@ -107,10 +107,11 @@ TEST_F(Program, writes_every_format)
   folder.write("a.off", sample::off());
   const Outcome outcome = run(
     "a.off -k 4 --method two-step --features all --max-angle 20 -o a.seg -o b.ply -o b.off "
-    "-o b.obj -o b.vtp -o b.json -o b.csv -o b.png --borders c.obj --borders c.vtp");
+    "-o b.obj -o b.vtp -o b.stl -o b.3mf -o b.json -o b.csv -o b.png --borders c.obj --borders "
+    "c.vtp");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.csv", "b.json", "b.obj", "b.off", "b.ply",
-                                   "b.png", "b.vtp", "c.obj", "c.vtp"}));
+  EXPECT_EQ(folder.names(), (Names{"a.off", "a.seg", "b.3mf", "b.csv", "b.json", "b.mtl", "b.obj",
+                                   "b.off", "b.ply", "b.png", "b.stl", "b.vtp", "c.obj", "c.vtp"}));
   EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
 }
 
@@ -276,7 +277,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings = ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, "
-                              ".json, .csv, .png, .html, .glb or .3mf";
+                              ".json, .csv, .png, .html, .glb, .3mf or .stl";
   expect_wrong_usage("a.off --method two-step",
                      "--method two-step needs the number of segments: -k N");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
@@ -387,7 +388,8 @@ TEST_F(Program, writes_to_stdout)
   const Outcome quiet = run("a.off -q -k 4 -o - --output-format seg");
   EXPECT_EQ(quiet.err, "");
   EXPECT_EQ(quiet.out, outcome.out);
-  EXPECT_EQ(run("a.off -k 4 -o - -o b.seg --output-format seg").out, outcome.out);
+  for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1"})
+    EXPECT_EQ(run("a.off -k 4 -o b.seg --output-format seg -o " + name).out, outcome.out);
   EXPECT_EQ(folder.read("b.seg"), outcome.out);
   EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader
                                                                                        // goes early
@@ -395,6 +397,21 @@ TEST_F(Program, writes_to_stdout)
   if (std::filesystem::exists("/dev/full")) {
     EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
   }
+}
+
+/// Without a file of materials beside a device or a pipe.
+TEST_F(Program, writes_to_devices_and_pipes)
+{
+  folder.write("a.off", sample::off());
+  ASSERT_EQ(mkfifo(folder.path("b.obj").c_str(), 0600), 0);
+  EXPECT_EQ(run("a.off -q -k 4 -o /dev/null -o /dev/null -o b.obj -o /dev/fd/3 "
+                "--output-format obj 3> c.obj > /dev/null && wait",
+                "{ cat b.obj > d.obj & } &&")
+              .status,
+            0);
+  EXPECT_EQ(folder.names(), (Names{"a.off", "b.obj", "c.obj", "d.obj"}));
+  EXPECT_EQ(folder.read("c.obj").substr(0, 2), "v ");
+  EXPECT_EQ(folder.read("d.obj"), folder.read("c.obj"));
 }
 
 TEST_F(Program, takes_a_format_in_place_of_an_ending)
@@ -447,7 +464,7 @@ TEST_F(Program, takes_faces_of_no_segment)
   for (const char* file : {"b.csv", "b.json", "b.obj", "c.obj"})
     EXPECT_EQ(folder.read(file).find("1844"), std::string::npos) << file;
   EXPECT_TRUE(folder.has("0.off") && folder.has("1.off"));
-  EXPECT_EQ(folder.names().size(), 12u);
+  EXPECT_EQ(folder.names().size(), 13u); // also b.mtl
   folder.write("a.seg", "-1\n-1\n-1\n-1\n");
   EXPECT_EQ(run("a.off --labels a.seg -o b.seg -o b.csv -o b.json -o b.ply -o b.png").out,
             "a.off: 4 faces, 0 segments\n");
@@ -459,8 +476,9 @@ TEST_F(Program, writes_a_file_for_each_segment)
   folder.write("a.off", sample::off());
   const Outcome outcome = run("a.off -k 4 -o '{stem}_{segment}.off' -o b{segment}.obj.gz");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(folder.names(), (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.obj.gz",
-                                   "b1.obj.gz", "b2.obj.gz", "b3.obj.gz"}));
+  EXPECT_EQ(folder.names(),
+            (Names{"a.off", "a_0.off", "a_1.off", "a_2.off", "a_3.off", "b0.mtl", "b0.obj.gz",
+                   "b1.mtl", "b1.obj.gz", "b2.mtl", "b2.obj.gz", "b3.mtl", "b3.obj.gz"}));
   EXPECT_EQ(folder.read("a_3.off").substr(0, 30), "OFF\n3 1 0\n0 0 0\n0 1 0\n0 0 1\n3 ");
 }
 
@@ -617,7 +635,7 @@ TEST_F(Program, draws_a_mesh_as_seen_from_a_place)
   EXPECT_EQ(run("a.off --view 0").status, 2);
 }
 
-TEST_F(Program, reads_and_writes_regular_files_alone)
+TEST_F(Program, tells_what_is_no_file)
 {
   folder.write("b.off", sample::off());
   ASSERT_EQ(mkfifo(folder.path("a.off").c_str(), 0600), 0);
@@ -625,12 +643,10 @@ TEST_F(Program, reads_and_writes_regular_files_alone)
   const Outcome outcome = run("a.off c.off -k 1");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "a.off: is not a regular file\nc.off: is a directory\n");
-  const Outcome written = run("b.off -k 1 -o a.off -o c.off -o none/b.off");
+  const Outcome written = run("b.off -k 1 -o c.off -o none/b.off");
   EXPECT_EQ(written.status, 1);
-  EXPECT_EQ(written.err, "a.off: is not a regular file\nc.off: is a directory\nnone/b.off: cannot "
-                         "be written: No such file or "
+  EXPECT_EQ(written.err, "c.off: is a directory\nnone/b.off: cannot be written: No such file or "
                          "directory\n");
-  EXPECT_TRUE(std::filesystem::is_fifo(folder.path("a.off")));
 }
 
 TEST_F(Program, refuses_outputs_that_do_not_fit)
@@ -645,7 +661,13 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("a.off -o -", "-o -: needs --output-format");
   expect_wrong_usage("a.off 7.off -k 2 -o - --output-format ply",
                      "-o -: with several inputs outputs are files");
-  expect_wrong_usage("a.off -o - -o - --output-format ply", "-o -: would be written twice");
+  expect_wrong_usage("a.off -o - -o /dev/stdout --output-format ply",
+                     "-o -: would be written twice");
+  expect_wrong_usage("a.off -o /dev/null", "-o /dev/null: needs --output-format");
+  expect_wrong_usage("a.off -o b.seg --solids", "--solids: no -o is a mesh");
+  folder.write("b.obj", sample::obj());
+  expect_wrong_usage("b.obj -o b.obj.gz",
+                     "-o b.obj.gz: its .mtl would replace the materials of an input");
   expect_wrong_usage("a.off 7.off -k 2 -o '{segment}.off'",
                      "-o {segment}.off: with several inputs it holds {stem}");
   expect_wrong_usage("7.off -k 2 -o '{segment}.off'", "-o {segment}.off: would replace an input");
@@ -659,8 +681,9 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("a.off -k 2 -o link.seg -o c.seg", "-o c.seg: would be written twice");
   expect_wrong_usage("'b{segment}.off' -k 2 -o '{stem}.seg'",
                      "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
-  expect_wrong_usage("a.off -k 2 -o '{segment}.png'",
-                     "{segment}.png: a file for each segment is .ply, .off, .obj or .vtp");
+  expect_wrong_usage(
+    "a.off -k 2 -o '{segment}.png'",
+    "{segment}.png: a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb or .3mf");
   expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'",
                      "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
                      "folder");

@@ -2,7 +2,6 @@
 
 // A .3mf file, read by lib3mf.
 
-#include "write/Segment_triangles.h"
 #include "write/write_mesh.h"
 
 #include <Model/COM/NMR_DLLInterfaces.h>

@@ -39,11 +39,15 @@ protected:
     s_details = std::make_unique<Segmentation_details>(s_input.soup, s_settings, s_segmentation);
   }
 
+  static Result result()
+  {
+    return {s_name,       s_input,        s_marks,    s_settings,
+            s_side_files, s_segmentation, *s_details, s_no_viewpoint};
+  }
+
   std::string write(const std::string& name) const
   {
-    write_segmentation(make_output(m_folder.path(name)),
-                       {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
-                        *s_details, s_no_viewpoint});
+    write_segmentation(make_output(m_folder.path(name)), result());
     EXPECT_EQ(m_folder.names(), std::vector<std::string>{name}); // nothing temporary is left
     return m_folder.path(name);
   }
@@ -76,12 +80,33 @@ TEST_F(Written, seg_has_a_label_a_line)
 
 TEST_F(Written, meshes_are_read_back_to_the_bit)
 {
-  for (const char* name : {"a.ply", "a.off", "a.obj"}) {
+  for (const char* name : {"a.ply", "a.off"}) {
     const Input_mesh back = read_mesh(write(name));
     EXPECT_EQ(back.soup.points, s_input.soup.points) << name;
     EXPECT_EQ(back.soup.polygons, s_input.soup.polygons) << name;
     std::filesystem::remove(m_folder.path(name));
   }
+}
+
+/// Their faces are ordered by segment, within one as in the input.
+TEST_F(Written, files_of_parts_are_read_back_to_the_bit)
+{
+  using Triangle = std::array<Point, 3>;
+  std::vector<Triangle> expected;
+  for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s)
+    for (std::size_t f = 0; f < s_input.soup.polygons.size(); ++f)
+      if (const auto& face = s_input.soup.polygons[f]; s_segmentation.segment_of_face[f] == s)
+        expected.push_back({s_input.soup.points[face[0]], s_input.soup.points[face[1]],
+                            s_input.soup.points[face[2]]});
+  for (const std::string name : {"a.obj", "a.stl"}) {
+    write_segmentation(make_output(m_folder.path(name)), result());
+    const Polygon_soup back = read_mesh(m_folder.path(name)).soup;
+    std::vector<Triangle> triangles;
+    for (const auto& face : back.polygons)
+      triangles.push_back({back.points[face[0]], back.points[face[1]], back.points[face[2]]});
+    EXPECT_EQ(triangles, expected) << name;
+  }
+  EXPECT_EQ(m_folder.names(), (std::vector<std::string>{"a.mtl", "a.obj", "a.stl"}));
 }
 
 TEST_F(Written, ply_has_segments_and_colors)
@@ -117,25 +142,31 @@ TEST_F(Written, off_has_colors)
   }
 }
 
-TEST_F(Written, obj_has_groups_and_lines)
+/// Where the last one cannot be written, neither is.
+TEST_F(Written, obj_and_its_materials_appear_together_or_not_at_all)
 {
-  std::istringstream in(text("a.obj"));
-  std::vector<std::size_t> labels;
-  std::size_t label = 0, number_of_lines = 0;
-  const std::string group = "g segment_";
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind(group, 0) == 0)
-      label = std::stoul(line.substr(group.size()));
-    else if (line[0] == 'f')
-      labels.push_back(label);
-    else if (line[0] == 'l')
-      ++number_of_lines;
-    else
-      ASSERT_TRUE(line[0] == 'v' || line == "g feature_lines") << line;
-  }
-  EXPECT_EQ(labels, s_segmentation.segment_of_face);
-  EXPECT_EQ(number_of_lines, s_details->feature_lines().size());
-  EXPECT_GT(number_of_lines, 0u);
+  std::filesystem::create_directory(m_folder.path("a.mtl"));
+  EXPECT_THROW(write_segmentation(make_output(m_folder.path("a.obj")), result()), Output_error);
+  EXPECT_EQ(m_folder.names(), std::vector<std::string>{"a.mtl"});
+}
+
+TEST_F(Written, solids_are_closed)
+{
+  const auto is_closed = [](const Polygon_soup& soup) {
+    std::map<std::array<Point, 2>, int> sides;
+    for (const auto& face : soup.polygons)
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Point &a = soup.points[face[i]], &b = soup.points[face[(i + 1) % face.size()]];
+        ++sides[{a, b}], --sides[{b, a}];
+      }
+    return std::all_of(sides.begin(), sides.end(), [](const auto& s) { return s.second == 0; });
+  };
+  for (const char* name : {"{segment}.ply", "{segment}.stl"})
+    write_segmentation(make_output(m_folder.path(name), Output_content::SOLIDS), result());
+  EXPECT_EQ(m_folder.names().size(), 2 * s_segmentation.number_of_segments);
+  for (const std::string& name : m_folder.names())
+    EXPECT_TRUE(is_closed(read_mesh(m_folder.path(name)).soup)) << name;
+  EXPECT_EQ(make_output("a.seg", Output_content::SOLIDS).content, Output_content::SEGMENTS);
 }
 
 TEST_F(Written, json_has_all)
@@ -150,6 +181,8 @@ TEST_F(Written, json_has_all)
   EXPECT_EQ(json["settings"]["features"], "concave");
   EXPECT_NEAR(json["settings"]["max_angle"], 1.2372, 1e-4);
   EXPECT_EQ(json["times"]["stages"].size(), s_segmentation.stages.size());
+  EXPECT_EQ(json["feature_lines"].get<std::vector<Polyline>>(), s_details->feature_lines());
+  EXPECT_GT(json["feature_lines"].size(), 0u);
   EXPECT_EQ(json["face_segments"].get<std::vector<std::size_t>>(), s_segmentation.segment_of_face);
   EXPECT_EQ(json["regions"].size(), s_segmentation.number_of_regions);
   EXPECT_EQ(json["sections"].size(), s_details->sections().size());
@@ -179,8 +212,7 @@ TEST_F(Written, csv_agrees_with_json)
   std::istringstream in(text("a.csv"));
   const nlohmann::json json = [this] {
     std::ostringstream out;
-    write_json(out, {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation, *s_details,
-                     s_no_viewpoint});
+    write_json(out, result());
     return nlohmann::json::parse(out.str());
   }();
   std::string line;
@@ -252,10 +284,8 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
 
 TEST_F(Written, a_file_for_each_segment)
 {
-  write_segmentation(make_output(m_folder.path("part_{segment}.obj")),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
-                      *s_details, s_no_viewpoint});
-  EXPECT_EQ(m_folder.names().size(), s_segmentation.number_of_segments);
+  write_segmentation(make_output(m_folder.path("part_{segment}.obj")), result());
+  EXPECT_EQ(m_folder.names().size(), 2 * s_segmentation.number_of_segments); // and materials
   for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
     const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
     std::size_t i = 0;
@@ -278,9 +308,7 @@ TEST_F(Written, a_file_for_each_segment)
 
 TEST_F(Written, borders_have_the_length_of_the_borders)
 {
-  write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS),
-                     {s_name, s_input, s_marks, s_settings, s_side_files, s_segmentation,
-                      *s_details, s_no_viewpoint});
+  write_segmentation(make_output(m_folder.path("b.obj"), Output_content::BORDERS), result());
   std::istringstream in(m_folder.read("b.obj"));
   std::vector<Point> points;
   double length = 0;
@@ -308,8 +336,8 @@ TEST_F(Written, borders_have_the_length_of_the_borders)
 TEST_F(Written, coordinates_that_a_format_cannot_have_are_refused)
 {
   for (const auto& [name, scale] : std::vector<std::pair<std::string, double>>{
-         {"a.glb", 1e300}, {"a.glb", 1e-300}, {"a.3mf", 1e12}}) {
-    if (!(name == "a.glb" ? can_write_glb() : can_write_3mf()))
+         {"a.glb", 1e300}, {"a.glb", 1e-300}, {"a.3mf", 1e40}, {"a.stl", 1e40}}) {
+    if (name == "a.glb" && !can_write_glb())
       continue;
     Input_mesh input = s_input;
     for (Point& p : input.soup.points)
@@ -330,11 +358,11 @@ TEST_F(Written, coordinates_that_a_format_cannot_have_are_refused)
 
 TEST_F(Written, gzip_is_undone_by_gzip)
 {
-  const std::string plain = text("a.obj");
-  std::filesystem::remove(m_folder.path("a.obj"));
-  write("b.obj.gz");
-  ASSERT_EQ(std::system(("gzip -d '" + m_folder.path("b.obj.gz") + "'").c_str()), 0);
-  EXPECT_EQ(m_folder.read("b.obj"), plain);
+  const std::string plain = text("a.off");
+  std::filesystem::remove(m_folder.path("a.off"));
+  write("b.off.gz");
+  ASSERT_EQ(std::system(("gzip -d '" + m_folder.path("b.off.gz") + "'").c_str()), 0);
+  EXPECT_EQ(m_folder.read("b.off"), plain);
 }
 
 /// By two-step, which does not move borders itself.

@@ -4,10 +4,12 @@
 
 #include "read/Mesh_format.h"
 #include "read/errors.h"
+#include "read/file_endings.h"
 #include "write/output_format.h"
-#include "write/resolve_links.h"
+#include "write/Whole_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -116,7 +118,12 @@ public:
       m_has_stdout = true;
       return;
     }
+    if (is_written_directly(output.file))
+      return;
     const std::string name = resolve_links(output.file).string();
+    if (const std::string library = material_library(output); !library.empty())
+      if (const auto found = m_files.find(resolve_links(library).string()); found != m_files.end())
+        throw Usage_error("-o " + output.file + ": its .mtl would replace " + found->second);
     if (const std::string* what = find_replaced(name, output))
       throw Usage_error(option_of(output) + " " + output.file + ": would replace " + *what);
     if (is_written_twice(name, output))
@@ -157,6 +164,9 @@ void check_outputs(const std::vector<Job>& jobs)
   for (const Job& job : jobs) {
     if (!job.is_model && job.input != standard_input)
       registry.add(job.input, "an input");
+    if (ending_of(job.input) == "obj")
+      registry.add(std::filesystem::path(job.input).replace_extension("mtl").string(),
+                   "the materials of an input");
     for (const std::string& truth : job.truths)
       registry.add(truth, "a truth");
     for (const Side_file& file : side_files)

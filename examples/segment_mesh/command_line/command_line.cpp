@@ -134,12 +134,18 @@ void add_outputs(CLI::App& app, Raw_options& raw)
                         "extension selects the format: .html (a page to view "
                         "and rotate the mesh, with every number of segments), .png (a picture), "
                         ".ply, .off, .obj, .vtp (the mesh with its "
-                        "segments in colors or groups; .vtp is for ParaView), .glb, .3mf (a part "
+                        "segments in colors or groups; .vtp is for ParaView; the faces of .obj are "
+                        "ordered by segment, and a .mtl beside it has the colors, unless it is "
+                        "a pipe), .glb, .3mf, .stl (a part "
                         "for each segment, to be shown or printed), "
                         ".seg (the label of each face on a line), .csv (a table: area, volume, "
                         "shape ... of each segment), .json (all of it). "
                         "With .gz after it a file is compressed. {segment} in FILE: a mesh for "
-                        "each segment. - is stdout.");
+                        "each segment. - is stdout. A file appears whole or not at all; stdout, a "
+                        "device or a pipe can be left half written.");
+  output.add_flag("--solids",
+                  "Each segment of a mesh that -o writes is a closed solid, to be printed: "
+                  "caps close its borders.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
@@ -281,7 +287,12 @@ std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
   }
   std::vector<Output> outputs;
   for (const std::string& file : raw.outputs)
-    outputs.push_back(make_output(file, Output_content::SEGMENTS, format));
+    outputs.push_back(make_output(
+      file, app.count("--solids") > 0 ? Output_content::SOLIDS : Output_content::SEGMENTS, format));
+  if (app.count("--solids") > 0 &&
+      std::none_of(outputs.begin(), outputs.end(),
+                   [](const Output& output) { return output.content == Output_content::SOLIDS; }))
+    throw Usage_error("--solids: no -o is a mesh");
   for (const std::string& file : raw.borders)
     outputs.push_back(make_output(file, Output_content::BORDERS));
   return outputs;

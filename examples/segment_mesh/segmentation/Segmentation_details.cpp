@@ -8,6 +8,7 @@
 #include <CGAL/number_type_config.h>
 
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
@@ -279,6 +280,31 @@ std::vector<Border> Segmentation_details::borders() const
     line.points.push_back(points[source(border.halfedges.front(), m)]);
     for (const auto h : border.halfedges)
       line.points.push_back(points[target(h, m)]);
+  }
+  return result;
+}
+
+Solids Segmentation_details::solids() const
+{
+  const Mesh& m = manifold().mesh;
+  const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(
+    m_segmentation.segment_of_face);
+  std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
+  RS::close_segments(m,
+                     boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
+                     std::back_inserter(pieces));
+  Solids result;
+  for (const auto& piece : pieces) {
+    const std::size_t first = result.soup.points.size();
+    for (const auto v : piece.mesh.vertices())
+      result.soup.points.push_back(
+        {piece.mesh.point(v).x(), piece.mesh.point(v).y(), piece.mesh.point(v).z()});
+    for (const auto f : piece.mesh.faces()) {
+      for (const auto v : CGAL::vertices_around_face(piece.mesh.halfedge(f), piece.mesh))
+        result.soup.polygons.add_corner(first + v);
+      result.soup.polygons.close_polygon();
+      result.segment_of_face.push_back(piece.segment);
+    }
   }
   return result;
 }

@@ -69,6 +69,13 @@ struct Border
   Polyline points;
 };
 
+/// Closed meshes, each with the faces of a segment and caps, which are of the same segment.
+struct Solids
+{
+  Polygon_soup soup; ///< different solids have no common point
+  std::vector<std::size_t> segment_of_face;
+};
+
 /// A description of a node of the merge tree: the regions, then the result of each merge.
 struct Node_description
 {
@@ -96,6 +103,8 @@ public:
   /// By segment.
   std::vector<Segment_description> segments() const;
   std::vector<Border> borders() const;
+  /// See `close_segments()`.
+  Solids solids() const;
   /// The number of the color of each of n labels of the faces of the soup: the label itself, or
   /// that of the kind of its surface.
   std::vector<std::size_t> colors(Coloring coloring, const std::vector<std::size_t>& labels,

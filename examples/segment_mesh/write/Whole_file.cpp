@@ -3,12 +3,18 @@
 #include "write/Whole_file.h"
 
 #include "read/errors.h"
-#include "write/resolve_links.h"
 
 #include <cerrno>
 #include <cstdio>
+#include <initializer_list>
+#include <iostream>
 #include <random>
 #include <system_error>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 namespace segment_mesh {
 
@@ -21,6 +27,18 @@ std::string reason(int error_number)
   return error_number == 0 ? "" : ": " + std::generic_category().message(error_number);
 }
 
+/// What `fs::weakly_canonical()` does not do.
+fs::path follow_links_to_nothing(fs::path path)
+{
+  constexpr int most_links = 40; // as on Linux
+  std::error_code ignored;
+  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(path, ignored)) &&
+                      !fs::exists(path, ignored);
+       ++links)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return path;
+}
+
 /// The file that is to be replaced: behind symbolic links, since renaming onto a link would replace
 /// the link.
 fs::path target_of(const std::string& file)
@@ -29,9 +47,8 @@ fs::path target_of(const std::string& file)
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(target, error)))
     throw Output_error(file, "is a symbolic link that leads to itself");
-  const fs::file_status status = fs::status(target, error);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw Output_error(file, fs::is_directory(status) ? "is a directory" : "is not a regular file");
+  if (fs::is_directory(target, error))
+    throw Output_error(file, "is a directory");
   return target;
 }
 
@@ -53,10 +70,19 @@ fs::path make_temporary(const std::string& file, const fs::path& folder)
 
 Whole_file::Whole_file(const std::string& file)
   : m_file(file)
-  , m_target(target_of(file))
-  , m_temporary(make_temporary(file, m_target.parent_path()))
-  , m_out(m_temporary, std::ios::binary)
 {
+  errno = 0;
+  if (file == standard_output)
+    return;
+  if (is_written_directly(file)) {
+    m_out.open(file, std::ios::binary | std::ios::app); // behind what a descriptor has written
+    if (!m_out)
+      throw Output_error(file, "cannot be written" + reason(errno));
+    return;
+  }
+  m_target = target_of(file);
+  m_temporary = make_temporary(file, m_target.parent_path());
+  m_out.open(m_temporary, std::ios::binary);
   // Before anything is written, since the old file may be private.
   std::error_code ignored;
   if (const fs::file_status old = fs::status(m_target, ignored); fs::is_regular_file(old))
@@ -71,16 +97,55 @@ Whole_file::~Whole_file()
     fs::remove(m_temporary, ignored);
 }
 
+std::ostream& Whole_file::stream()
+{
+  return m_file == standard_output ? std::cout : m_out;
+}
+
 void Whole_file::commit()
 {
-  m_out.close();
-  if (!m_out)
-    throw Output_error(m_file, "cannot be written" + reason(errno));
+  if (m_out.is_open())
+    m_out.close();
+  else
+    std::cout.flush();
+  if (!stream() && !(m_temporary.empty() && errno == EPIPE))
+    throw Output_error(m_file == standard_output ? "standard output" : m_file,
+                       "cannot be written" + reason(errno));
+  if (m_temporary.empty())
+    return;
   std::error_code error;
   fs::rename(m_temporary, m_target, error);
   if (error)
     throw Output_error(m_file, "cannot be written: " + error.message());
   m_temporary.clear();
+}
+
+bool is_written_directly(const std::string& file)
+{
+  std::error_code ignored;
+  const fs::path folder = fs::absolute(file, ignored).lexically_normal().parent_path();
+  const fs::file_status status = fs::status(file, ignored);
+  return file == standard_output || file == "/dev/stderr" || folder == "/dev/fd" ||
+         folder == "/proc/self/fd" ||
+         (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+fs::path resolve_links(const std::string& file)
+{
+  std::error_code error;
+  // Of a file that is not there the relative name would stay relative, and have no folder.
+  const fs::path path = follow_links_to_nothing(fs::absolute(file, error));
+  const fs::path resolved = fs::weakly_canonical(path, error);
+  return error ? fs::path(file) : resolved;
+}
+
+void occupy_closed_standard_streams()
+{
+#if defined(__unix__) || defined(__APPLE__)
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0) // an opened file gets the lowest free descriptor: this one
+      static_cast<void>(open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+#endif
 }
 
 } // namespace segment_mesh

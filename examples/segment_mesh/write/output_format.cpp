@@ -7,10 +7,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 namespace segment_mesh {
 
 namespace {
+
+/// The names of stdout that systems give it.
+bool names_stdout(const std::string& file)
+{
+  const std::string names[] = {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"};
+  return std::find(std::begin(names), std::end(names), file) != std::end(names);
+}
 
 Output_format format_of_ending(const std::string& file, const std::string& ending)
 {
@@ -24,7 +32,9 @@ Output_format format_of_ending(const std::string& file, const std::string& endin
 bool is_mesh(Output_format format)
 {
   return format == Output_format::PLY || format == Output_format::OFF ||
-         format == Output_format::OBJ || format == Output_format::VTP;
+         format == Output_format::OBJ || format == Output_format::VTP ||
+         format == Output_format::STL || format == Output_format::GLB ||
+         format == Output_format::THREE_MF;
 }
 
 void check(const Output& output)
@@ -37,7 +47,8 @@ void check(const Output& output)
     if (output.content == Output_content::BORDERS)
       throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
     if (!is_mesh(output.format))
-      throw Usage_error(output.file + ": a file for each segment is .ply, .off, .obj or .vtp");
+      throw Usage_error(output.file +
+                        ": a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb or .3mf");
     if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) ==
         std::string::npos)
       throw Usage_error(output.file +
@@ -50,7 +61,7 @@ void check(const Output& output)
 const std::vector<std::string>& output_format_names()
 {
   static const std::vector<std::string> names = {"seg", "ply", "off",  "obj", "vtp", "json",
-                                                 "csv", "png", "html", "glb", "3mf"};
+                                                 "csv", "png", "html", "glb", "3mf", "stl"};
   return names;
 }
 
@@ -61,6 +72,17 @@ std::string with_segment(std::string file, const std::string& number)
        at = file.find(placeholder, at))
     file.replace(at, placeholder.size(), number);
   return file;
+}
+
+std::string material_library(const Output& output)
+{
+  if (output.format != Output_format::OBJ || output.content == Output_content::BORDERS ||
+      is_written_directly(output.file))
+    return "";
+  std::filesystem::path file = output.file;
+  if (output.compression != Compression::NONE)
+    file.replace_extension();
+  return file.replace_extension(".mtl").string();
 }
 
 bool is_segment_file(const std::string& pattern, const std::string& name)
@@ -75,7 +97,8 @@ bool is_segment_file(const std::string& pattern, const std::string& name)
 Output make_output(const std::string& file, Output_content content,
                    const std::optional<Output_format>& format)
 {
-  Output output{file, Output_format::SEG, content, Compression::NONE};
+  Output output{names_stdout(file) ? standard_output : file, Output_format::SEG, content,
+                Compression::NONE};
   std::filesystem::path name = file;
   if (ending_of(file) == "gz") {
     output.compression = Compression::GZIP;
@@ -83,9 +106,12 @@ Output make_output(const std::string& file, Output_content content,
   }
   if (output.is_stdout() && content == Output_content::BORDERS)
     throw Usage_error("--borders -: borders are written to a file");
-  if (output.is_stdout() && !format)
-    throw Usage_error("-o -: needs --output-format");
+  if (!format && content != Output_content::BORDERS && !name.has_extension() &&
+      is_written_directly(file))
+    throw Usage_error("-o " + file + ": needs --output-format");
   output.format = format ? *format : format_of_ending(file, ending_of(name.string()));
+  if (content == Output_content::SOLIDS && !is_mesh(output.format))
+    output.content = Output_content::SEGMENTS;
   check(output);
   return output;
 }

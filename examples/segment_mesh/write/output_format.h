@@ -3,6 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_OUTPUT_FORMAT_H
 
+#include "write/Whole_file.h"
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -11,10 +13,10 @@
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF };
+enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF, STL };
 
-/// What of a segmentation is written.
-enum class Output_content { SEGMENTS, BORDERS };
+/// What of a segmentation is written; solids are closed segments.
+enum class Output_content { SEGMENTS, SOLIDS, BORDERS };
 
 enum class Compression { NONE, GZIP };
 
@@ -23,12 +25,12 @@ constexpr const char* segment_placeholder = "{segment}";
 
 struct Output
 {
-  std::string file; ///< "-" is stdout
+  std::string file; ///< `standard_output` for all names of stdout
   Output_format format = Output_format::SEG;
   Output_content content = Output_content::SEGMENTS;
   Compression compression = Compression::NONE;
 
-  bool is_stdout() const { return file == "-"; }
+  bool is_stdout() const { return file == standard_output; }
   bool is_for_each_segment() const { return file.find(segment_placeholder) != std::string::npos; }
 };
 
@@ -39,12 +41,17 @@ std::string with_segment(std::string file, const std::string& number);
 /// \pre there is one in `pattern`
 bool is_segment_file(const std::string& pattern, const std::string& name);
 
+/// The file of materials beside a file in .obj format, which refers to it by name: NAME.mtl beside
+/// NAME.obj or NAME.obj.gz. Empty of another format, and of what is written directly.
+std::string material_library(const Output& output);
+
 /// The formats by the words for them, in the order of `Output_format`.
 const std::vector<std::string>& output_format_names();
 
 /// An output in `format`, or in the one that the ending of `file` names in upper or lower case,
-/// before a last ".gz" for a compressed one. \throws Usage_error if the ending names no format, or
-/// if what is to be written cannot be in this format
+/// before a last ".gz" for a compressed one. Solids that are asked for are segments where the
+/// format is not of meshes. \throws Usage_error if the ending names no format, or if what is to be
+/// written cannot be in this format
 Output make_output(const std::string& file, Output_content content = Output_content::SEGMENTS,
                    const std::optional<Output_format>& format = std::nullopt);
 

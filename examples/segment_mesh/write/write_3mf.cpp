@@ -1,116 +1,154 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Source: "3D Manufacturing Format, Core Specification", https://3mf.io/specification
+// A model as XML, and two files that say so, in a ZIP archive. Sources: "3D Manufacturing Format,
+// Core Specification", https://3mf.io/specification; "APPNOTE.TXT, .ZIP File Format Specification",
+// PKWARE. lib3mf 1, which Debian has, cuts coordinates off after six decimals.
 
-#include "write/Segment_triangles.h"
+#include "read/little_endian.h"
+#include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
-#include <Model/COM/NMR_DLLInterfaces.h>
+#include <boost/crc.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/filter/zlib.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
 
+#include <array>
+#include <cstdint>
+#include <limits>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace segment_mesh {
 
 namespace {
 
-void check(int result)
+class Zip_archive
 {
-  if (result != 0)
-    throw std::runtime_error("lib3mf fails with error " + std::to_string(result));
+public:
+  void add(const std::string& name, const std::string& content)
+  {
+    boost::crc_32_type crc;
+    crc.process_bytes(content.data(), content.size());
+    const std::string data = deflated(content);
+    std::string header; // what a file has before it, and once more in the directory
+    for (const unsigned value :
+         {20u /* version 2.0 */, 0u, 8u /* deflated */, 0u, 0x21u /* 1980 */})
+      append_little_endian(header, std::uint16_t(value));
+    append_little_endian(header, std::uint32_t(crc.checksum()));
+    append_size(header, data.size());
+    append_size(header, content.size());
+    append_little_endian(header, std::uint16_t(name.size()));
+    append_little_endian(header, std::uint16_t(0));
+
+    m_directory += "PK\1\2";
+    append_little_endian(m_directory, std::uint16_t(20));
+    m_directory += header + std::string(10, '\0');
+    append_size(m_directory, m_files.size());
+    m_directory += name;
+    m_files += "PK\3\4" + header + name + data;
+    ++m_number_of_files;
+  }
+
+  void write(std::ostream& out) const
+  {
+    std::string end = "PK\5\6" + std::string(4, '\0');
+    append_little_endian(end, m_number_of_files);
+    append_little_endian(end, m_number_of_files);
+    append_size(end, m_directory.size());
+    append_size(end, m_files.size());
+    out << m_files << m_directory << end << std::string(2, '\0');
+  }
+
+private:
+  static std::string deflated(const std::string& content)
+  {
+    boost::iostreams::zlib_params parameters;
+    parameters.noheader = true;
+    std::string result;
+    boost::iostreams::filtering_ostream out;
+    out.push(boost::iostreams::zlib_compressor(parameters));
+    out.push(boost::iostreams::back_inserter(result));
+    out << content;
+    out.reset(); // it is complete
+    return result;
+  }
+
+  static void append_size(std::string& bytes, std::size_t size)
+  {
+    if (size > (std::numeric_limits<std::uint32_t>::max)())
+      throw std::length_error("a .3mf file has at most 4 GB");
+    append_little_endian(bytes, std::uint32_t(size));
+  }
+
+  std::string m_files, m_directory;
+  std::uint16_t m_number_of_files = 0;
+};
+
+std::string hexadecimal(const Color& color)
+{
+  std::string result = "#";
+  for (std::uint8_t channel : color)
+    for (int digit : {channel / 16, channel % 16})
+      result += "0123456789ABCDEF"[digit];
+  return result;
 }
 
-/// An object of lib3mf, which is released in the end.
-class Handle
+/// An object with its material for each segment, and an item that shows it.
+void write_model(std::ostream& out, const std::vector<Segment_triangles>& segments)
 {
-public:
-  Handle() = default;
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { NMR::lib3mf_release(m_object); }
-
-  NMR::PLib3MFBase* get() const { return m_object; }
-  NMR::PLib3MFBase** out() { return &m_object; }
-
-private:
-  NMR::PLib3MFBase* m_object = nullptr;
-};
-
-class Model_3mf
-{
-public:
-  Model_3mf()
-  {
-    check(NMR::lib3mf_createmodel(m_model.out()));
-    check(NMR::lib3mf_model_addbasematerialgroup(m_model.get(), m_materials.out()));
-    check(NMR::lib3mf_basematerial_getresourceid(m_materials.get(), &m_material_group));
+  constexpr std::size_t first_id = 2; // 1 is that of the materials
+  Text_buffer text(out);
+  text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+          "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+          "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+          "<resources>\n<basematerials id=\"1\">\n";
+  for (const Segment_triangles& segment : segments)
+    text << "<base name=\"" << segment.name << "\" displaycolor=\"" << hexadecimal(segment.color)
+         << "\"/>\n";
+  text << "</basematerials>\n";
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    text << "<object id=\"" << first_id + i << "\" name=\"" << segments[i].name
+         << "\" type=\"model\" pid=\"1\" pindex=\"" << i << "\">\n<mesh>\n<vertices>\n";
+    for (const Point& p : segments[i].points)
+      text << "<vertex x=\"" << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2] << "\"/>\n";
+    text << "</vertices>\n<triangles>\n";
+    for (const auto& t : segments[i].triangles)
+      text << "<triangle v1=\"" << t[0] << "\" v2=\"" << t[1] << "\" v3=\"" << t[2] << "\"/>\n";
+    text << "</triangles>\n</mesh>\n</object>\n";
   }
-
-  void add(const Segment_triangles& segment)
-  {
-    std::vector<NMR::MODELMESHVERTEX> vertices;
-    for (const Point& p : segment.points)
-      vertices.push_back({{float(p[0]), float(p[1]), float(p[2])}});
-    std::vector<NMR::MODELMESHTRIANGLE> triangles;
-    for (const auto& t : segment.triangles)
-      triangles.push_back({{t[0], t[1], t[2]}});
-    Handle object;
-    check(NMR::lib3mf_model_addmeshobject(m_model.get(), object.out()));
-    check(NMR::lib3mf_object_setnameutf8(object.get(), segment.name.c_str()));
-    check(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), DWORD(vertices.size()),
-                                             triangles.data(), DWORD(triangles.size())));
-    set_color(object.get(), segment);
-    Handle item;
-    check(NMR::lib3mf_model_addbuilditem(m_model.get(), object.get(), nullptr, item.out()));
-  }
-
-  void write(std::ostream& out)
-  {
-    Handle writer;
-    check(NMR::lib3mf_model_querywriter(m_model.get(), "3mf", writer.out()));
-    ULONG64 size = 0;
-    check(NMR::lib3mf_writer_getstreamsize(writer.get(), &size));
-    std::string bytes(size, '\0');
-    check(
-      NMR::lib3mf_writer_writetobuffer(writer.get(), reinterpret_cast<BYTE*>(bytes.data()), size));
-    out.write(bytes.data(), std::streamsize(size));
-  }
-
-private:
-  void set_color(NMR::PLib3MFBase* object, const Segment_triangles& segment)
-  {
-    const auto [red, green, blue] = segment.color;
-    DWORD material = 0;
-    check(NMR::lib3mf_basematerial_addmaterialutf8(m_materials.get(), segment.name.c_str(), red,
-                                                   green, blue, &material));
-    check(NMR::lib3mf_basematerial_setdisplaycolorrgba(m_materials.get(), material, red, green,
-                                                       blue, 255)); // 0 without this: transparent
-    Handle properties;
-    check(NMR::lib3mf_object_createdefaultpropertyhandler(object, properties.out()));
-    check(NMR::lib3mf_defaultpropertyhandler_setbasematerial(properties.get(), m_material_group,
-                                                             material));
-  }
-
-  Handle m_model;
-  Handle m_materials;
-  DWORD m_material_group = 0;
-};
+  text << "</resources>\n<build>\n";
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    text << "<item objectid=\"" << first_id + i << "\"/>\n";
+  text << "</build>\n</model>\n";
+}
 
 } // namespace
 
-bool can_write_3mf()
-{
-  return true;
-}
-
 void write_3mf(std::ostream& out, const Labelled_mesh& mesh)
 {
-  Model_3mf model;
-  for (const Segment_triangles& segment : triangles_of_segments(mesh))
-    model.add(segment);
-  model.write(out);
+  const std::string start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
+                    package = "http://schemas.openxmlformats.org/package/2006/",
+                    model = "3D/3dmodel.model";
+  Zip_archive archive;
+  archive.add(
+    "[Content_Types].xml",
+    start + "<Types xmlns=\"" + package +
+      "content-types\"><Default Extension=\"rels\" "
+      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+      "<Default Extension=\"model\" "
+      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n");
+  archive.add("_rels/.rels",
+              start + "<Relationships xmlns=\"" + package +
+                "relationships\"><Relationship Id=\"model\" Target=\"/" + model +
+                "\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
+                "</Relationships>\n");
+  std::ostringstream text;
+  write_model(text, triangles_of_segments(mesh));
+  archive.add(model, text.str());
+  archive.write(out);
 }
 
 } // namespace segment_mesh

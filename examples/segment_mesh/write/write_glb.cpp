@@ -2,16 +2,19 @@
 
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
-#include "write/Segment_triangles.h"
 #include "read/little_endian.h"
 #include "read/tinygltf.h"
+#include "soup/vector_algebra.h"
 #include "write/write_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -22,6 +25,53 @@ double linear_channel(std::uint8_t channel)
 {
   const double s = channel / 255.0;
   return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+/// A vertex of glTF is a point with one normal.
+struct Shaded_triangles
+{
+  std::vector<Point> points, normals;
+  Triangles triangles;
+};
+
+/// At each corner of a triangle the mean of the normals round its point, by area, of triangles that
+/// are within 40 degrees of this one: the surface looks smooth, but for edges that are sharp.
+Shaded_triangles shade(const Segment_triangles& segment)
+{
+  constexpr double cosine_of_sharp = 0.77;
+  constexpr std::size_t many = 64; // a fan of n triangles would take n * n steps
+  std::vector<Point> areas, units;
+  std::vector<std::vector<std::size_t>> triangles_of_point(segment.points.size());
+  for (const auto& [a, b, c] : segment.triangles) {
+    for (const Polygons::Index i : {a, b, c})
+      triangles_of_point[i].push_back(areas.size());
+    areas.push_back(cross_product(minus(segment.points[b], segment.points[a]),
+                                  minus(segment.points[c], segment.points[a])));
+    units.push_back(unit_vector(areas.back()));
+  }
+  Shaded_triangles result;
+  std::map<std::pair<Polygons::Index, Point>, Polygons::Index> vertices;
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    auto& triangle = result.triangles.emplace_back(segment.triangles[t]);
+    for (Polygons::Index& i : triangle) {
+      Point sum = areas[t];
+      if (triangles_of_point[i].size() <= many) {
+        sum = {0, 0, 0};
+        for (std::size_t other : triangles_of_point[i])
+          if (inner_product(units[t], units[other]) > cosine_of_sharp)
+            sum = plus(sum, areas[other]);
+      }
+      const Point unit = unit_vector(sum), normal = unit == Point{0, 0, 0} ? Point{0, 0, 1} : unit;
+      const auto [vertex, is_new] = vertices.emplace(std::pair(i, normal),
+                                                     Polygons::Index(result.points.size()));
+      if (is_new) {
+        result.points.push_back(segment.points[i]);
+        result.normals.push_back(normal);
+      }
+      i = vertex->second;
+    }
+  }
+  return result;
 }
 
 class Glb_model
@@ -40,8 +90,10 @@ public:
   {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.attributes["POSITION"] = add_positions(segment.points);
-    primitive.indices = add_indices(segment.triangles);
+    const Shaded_triangles shaded = shade(segment);
+    primitive.attributes["POSITION"] = add_vectors(shaded.points);
+    primitive.attributes["NORMAL"] = add_vectors(shaded.normals);
+    primitive.indices = add_indices(shaded.triangles);
     primitive.material = add_material(segment);
     tinygltf::Mesh mesh;
     mesh.name = segment.name;
@@ -61,13 +113,13 @@ public:
   }
 
 private:
-  int add_positions(const std::vector<Point>& points)
+  int add_vectors(const std::vector<Point>& vectors)
   {
     tinygltf::Accessor accessor;
     accessor.minValues.assign(3, HUGE_VAL);
     accessor.maxValues.assign(3, -HUGE_VAL);
     const std::size_t start = m_bytes.size();
-    for (const Point& p : points)
+    for (const Point& p : vectors)
       for (std::size_t j = 0; j < 3; ++j) {
         const float x = float(p[j]);
         append_little_endian(m_bytes, x);
@@ -76,7 +128,7 @@ private:
       }
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
     accessor.type = TINYGLTF_TYPE_VEC3;
-    accessor.count = points.size();
+    accessor.count = vectors.size();
     return add_accessor(accessor, start, TINYGLTF_TARGET_ARRAY_BUFFER);
   }
 

@@ -1,22 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// Source of .vtp: "VTK XML Formats",
+// https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
+
 #include "write/write_mesh.h"
 
-#include "write/Text_buffer.h"
 #include "read/little_endian.h"
-#include "view/segment_colors.h"
+#include "soup/vector_algebra.h"
+#include "write/Text_buffer.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 #include <string>
+#include <type_traits>
 
 namespace segment_mesh {
 
 namespace {
 
-void write_point(Text_buffer& text, const Point& p)
+std::string name_of_segment(std::size_t segment)
 {
-  text << p[0] << " " << p[1] << " " << p[2] << "\n";
+  return "segment_" + std::to_string(std::int64_t(segment));
+}
+
+void write_points(Text_buffer& text, const std::string& start, const std::vector<Point>& points)
+{
+  for (const Point& p : points)
+    text << start << p[0] << " " << p[1] << " " << p[2] << "\n";
+}
+
+/// Indices of points, from 1 on.
+template <typename Indices>
+void write_element(Text_buffer& text, const std::string& name, const Indices& points)
+{
+  text << name;
+  for (std::size_t i : points)
+    text << " " << i + 1;
+  text << "\n";
 }
 
 bool has_large_face(const Polygon_soup& soup)
@@ -48,15 +69,160 @@ std::string ply_header(const Polygon_soup& soup)
          "end_header\n";
 }
 
-void write_line(Text_buffer& text, const Polyline& line)
+/// PolyData of VTK as an XML file with appended raw data: each array is its size in bytes, then its
+/// values.
+class Vtp_file
 {
-  text << "l";
-  for (std::size_t i : line)
-    text << " " << i + 1;
-  text << "\n";
+public:
+  Vtp_file(std::size_t number_of_points, std::size_t number_of_lines,
+           std::size_t number_of_polygons)
+  {
+    m_xml = "<?xml version=\"1.0\"?>\n"
+            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+            "header_type=\"UInt64\">\n"
+            "<PolyData>\n<Piece NumberOfPoints=\"" +
+            std::to_string(number_of_points) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
+            std::to_string(number_of_lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+            std::to_string(number_of_polygons) + "\">\n";
+  }
+
+  void open(const std::string& element) { m_xml += "<" + element + ">\n"; }
+  void close(const std::string& element) { m_xml += "</" + element + ">\n"; }
+
+  /// Adds an array; `append(values)` appends its values to a string.
+  template <typename Value, typename Append>
+  void add(const std::string& name, std::size_t number_of_components, Append append)
+  {
+    m_xml += "<DataArray type=\"" + type_name<Value>() + "\" Name=\"" + name +
+             "\" NumberOfComponents=\"" + std::to_string(number_of_components) +
+             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
+    std::string values;
+    append(values);
+    append_little_endian(m_data, std::uint64_t(values.size()));
+    m_data += values;
+  }
+
+  void add_points(const std::vector<Point>& points)
+  {
+    open("Points");
+    add<double>("Points", 3, [&](std::string& values) {
+      for (const Point& p : points)
+        for (double x : p)
+          append_little_endian(values, x);
+    });
+    close("Points");
+  }
+
+  /// `cell_points(c)` are the indices of the points of a cell.
+  template <typename Cells, typename CellPoints>
+  void add_cells(const std::string& element, const Cells& cells, CellPoints cell_points)
+  {
+    open(element);
+    add<std::int64_t>("connectivity", 1, [&](std::string& values) {
+      for (const auto& cell : cells)
+        for (std::size_t i : cell_points(cell))
+          append_little_endian(values, std::int64_t(i));
+    });
+    add<std::int64_t>("offsets", 1, [&](std::string& values) {
+      std::int64_t end = 0;
+      for (const auto& cell : cells)
+        append_little_endian(values, end += std::int64_t(cell_points(cell).size()));
+    });
+    close(element);
+  }
+
+  void write(std::ostream& out) const
+  {
+    out << m_xml << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+    out.write(m_data.data(), std::streamsize(m_data.size()));
+    out << "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+private:
+  template <typename Value>
+  static std::string type_name()
+  {
+    if (std::is_same<Value, double>::value)
+      return "Float64";
+    return (std::is_signed<Value>::value ? "Int" : "UInt") + std::to_string(8 * sizeof(Value));
+  }
+
+  std::string m_xml, m_data;
+};
+
+/// Borders with no other points than theirs.
+struct Compact_borders
+{
+  std::vector<Point> points;
+  std::vector<Border> borders;
+};
+
+Compact_borders compact(const std::vector<Point>& points, const std::vector<Border>& borders)
+{
+  constexpr std::size_t unused = std::size_t(-1);
+  std::vector<std::size_t> new_index(points.size(), unused);
+  Compact_borders result{{}, borders};
+  for (Border& border : result.borders)
+    for (std::size_t& i : border.points) {
+      if (new_index[i] == unused) {
+        new_index[i] = result.points.size();
+        result.points.push_back(points[i]);
+      }
+      i = new_index[i];
+    }
+  return result;
 }
 
 } // namespace
+
+std::vector<std::vector<std::size_t>>
+faces_of_segments(const std::vector<std::size_t>& segment_of_face)
+{
+  std::size_t number_of_segments = 0;
+  for (std::size_t label : segment_of_face)
+    number_of_segments = (std::max)(number_of_segments, label + 1); // no_segment and 1 are 0
+  std::vector<std::vector<std::size_t>> faces(number_of_segments + 1);
+  for (std::size_t f = 0; f < segment_of_face.size(); ++f)
+    faces[(std::min)(segment_of_face[f], number_of_segments)].push_back(f);
+  return faces;
+}
+
+Polygon_soup extract_faces(const Polygon_soup& soup, const std::vector<std::size_t>& faces)
+{
+  Polygon_soup part;
+  std::vector<std::size_t> used;
+  for (std::size_t f : faces) {
+    part.polygons.push_back(soup.polygons[f]);
+    used.insert(used.end(), soup.polygons[f].begin(), soup.polygons[f].end());
+  }
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::size_t i : used)
+    part.points.push_back(soup.points[i]);
+  part.polygons.renumber(
+    [&](std::size_t i) { return std::lower_bound(used.begin(), used.end(), i) - used.begin(); });
+  return part;
+}
+
+std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh)
+{
+  std::vector<Segment_triangles> result;
+  const auto faces = faces_of_segments(mesh.segment_of_face);
+  for (std::size_t segment = 0; segment + 1 < faces.size(); ++segment) {
+    Polygon_soup part = extract_faces(mesh.soup, faces[segment]);
+    Segment_triangles triangles{name_of_segment(segment), segment_color(segment), {}, {}};
+    for (const Polygon_soup::Polygon& polygon : part.polygons)
+      triangulate_polygon(part.points, polygon, triangles.triangles);
+    triangles.triangles.erase(
+      std::remove_if(triangles.triangles.begin(), triangles.triangles.end(),
+                     [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+      triangles.triangles.end());
+    triangles.points = std::move(part.points);
+    if (!triangles.triangles.empty())
+      result.push_back(std::move(triangles));
+  }
+  return result;
+}
 
 void write_ply(std::ostream& out, const Labelled_mesh& mesh)
 {
@@ -84,8 +250,7 @@ void write_off(std::ostream& out, const Labelled_mesh& mesh)
 {
   Text_buffer text(out);
   text << "OFF\n" << mesh.soup.points.size() << " " << mesh.soup.polygons.size() << " 0\n";
-  for (const Point& p : mesh.soup.points)
-    write_point(text, p);
+  write_points(text, "", mesh.soup.points);
   for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
     text << mesh.soup.polygons[f].size();
     for (std::size_t i : mesh.soup.polygons[f])
@@ -96,52 +261,106 @@ void write_off(std::ostream& out, const Labelled_mesh& mesh)
   }
 }
 
-void write_obj(std::ostream& out, const Labelled_mesh& mesh,
-               const std::vector<Polyline>& feature_lines)
+void write_obj(std::ostream& out, const Labelled_mesh& mesh, const std::string& material_library)
 {
   Text_buffer text(out);
-  for (const Point& p : mesh.soup.points) {
-    text << "v ";
-    write_point(text, p);
+  if (!material_library.empty())
+    text << "mtllib " << material_library << "\n";
+  write_points(text, "v ", mesh.soup.points);
+  for (const std::vector<std::size_t>& faces : faces_of_segments(mesh.segment_of_face)) {
+    if (faces.empty())
+      continue;
+    const std::string name = name_of_segment(mesh.segment_of_face[faces.front()]);
+    text << "g " << name << "\nusemtl " << name << "\n";
+    for (std::size_t f : faces)
+      write_element(text, "f", mesh.soup.polygons[f]);
   }
-  const std::vector<std::size_t>& labels = mesh.segment_of_face;
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    if (f == 0 || labels[f] != labels[f - 1])
-      text << "g segment_" << std::int64_t(labels[f]) << "\n";
-    text << "f";
-    for (std::size_t i : mesh.soup.polygons[f])
-      text << " " << i + 1;
+}
+
+void write_mtl(std::ostream& out, const Labelled_mesh& mesh)
+{
+  Text_buffer text(out);
+  for (const std::vector<std::size_t>& faces : faces_of_segments(mesh.segment_of_face)) {
+    if (faces.empty())
+      continue;
+    const std::size_t segment = mesh.segment_of_face[faces.front()];
+    text << "newmtl " << name_of_segment(segment) << "\nKd";
+    for (std::uint8_t channel : segment_color(segment))
+      text << " " << float(channel) / 255;
     text << "\n";
   }
-  if (!feature_lines.empty())
-    text << "g feature_lines\n";
-  for (const Polyline& line : feature_lines)
-    write_line(text, line);
+}
+
+void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
+{
+  Vtp_file file(mesh.soup.points.size(), 0, mesh.soup.polygons.size());
+  file.open("CellData Scalars=\"segment\"");
+  file.add<std::int32_t>("segment", 1, [&](std::string& values) {
+    for (std::size_t segment : mesh.segment_of_face)
+      append_little_endian(values, std::int32_t(segment));
+  });
+  file.add<std::uint8_t>("color", 3, [&](std::string& values) {
+    for (std::size_t segment : mesh.segment_of_face)
+      for (std::uint8_t channel : segment_color(segment))
+        append_little_endian(values, channel);
+  });
+  file.close("CellData");
+  file.add_points(mesh.soup.points);
+  file.add_cells(
+    "Polys", mesh.soup.polygons,
+    [](const Polygon_soup::Polygon& polygon) -> const Polygon_soup::Polygon& { return polygon; });
+  file.write(out);
+}
+
+void write_stl(std::ostream& out, const Labelled_mesh& mesh)
+{
+  Text_buffer text(out);
+  for (const Segment_triangles& segment : triangles_of_segments(mesh)) {
+    text << "solid " << segment.name << "\n";
+    for (const auto& t : segment.triangles) {
+      const std::vector<Point> corners = {segment.points[t[0]], segment.points[t[1]],
+                                          segment.points[t[2]]};
+      write_points(
+        text, "facet normal ",
+        {unit_vector(cross_product(minus(corners[1], corners[0]), minus(corners[2], corners[0])))});
+      text << "outer loop\n";
+      write_points(text, "vertex ", corners);
+      text << "endloop\nendfacet\n";
+    }
+    text << "endsolid " << segment.name << "\n";
+  }
 }
 
 void write_borders_obj(std::ostream& out, const std::vector<Point>& points,
                        const std::vector<Border>& borders)
 {
+  const Compact_borders compacted = compact(points, borders);
   Text_buffer text(out);
-  constexpr std::size_t unused = std::size_t(-1);
-  std::vector<std::size_t> new_index(points.size(), unused);
-  std::size_t number_of_used = 0;
-  for (const Border& border : borders)
-    for (std::size_t i : border.points) {
-      if (new_index[i] != unused)
-        continue;
-      new_index[i] = number_of_used++;
-      text << "v ";
-      write_point(text, points[i]);
-    }
-  for (const Border& border : borders) {
-    Polyline line;
-    for (std::size_t i : border.points)
-      line.push_back(new_index[i]);
+  write_points(text, "v ", compacted.points);
+  for (const Border& border : compacted.borders) {
     text << "g border_" << std::int64_t(border.segments[0]) << "_"
          << std::int64_t(border.segments[1]) << "\n";
-    write_line(text, line);
+    write_element(text, "l", border.points);
   }
+}
+
+void write_borders_vtp(std::ostream& out, const std::vector<Point>& points,
+                       const std::vector<Border>& borders)
+{
+  const Compact_borders compacted = compact(points, borders);
+  Vtp_file file(compacted.points.size(), borders.size(), 0);
+  file.open("CellData Scalars=\"left_segment\"");
+  for (std::size_t side : {0, 1})
+    file.add<std::int32_t>(side == 0 ? "left_segment" : "right_segment", 1,
+                           [&](std::string& values) {
+                             for (const Border& border : borders)
+                               append_little_endian(values, std::int32_t(border.segments[side]));
+                           });
+  file.close("CellData");
+  file.add_points(compacted.points);
+  file.add_cells("Lines", compacted.borders,
+                 [](const Border& border) -> const Polyline& { return border.points; });
+  file.write(out);
 }
 
 } // namespace segment_mesh

@@ -2,18 +2,24 @@
 
 #include "write/write_segmentation.h"
 
-#include "write/Output_stream.h"
-#include "write/Text_buffer.h"
+#include "page/write_page.h"
 #include "read/errors.h"
 #include "read/read_marks.h"
-#include "write/write_mesh.h"
-#include "page/write_page.h"
 #include "view/render_view.h"
 #include "view/write_png.h"
+#include "write/Text_buffer.h"
+#include "write/Whole_file.h"
+#include "write/write_mesh.h"
+
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/filter/gzip.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace segment_mesh {
@@ -30,8 +36,9 @@ void write_borders(std::ostream& out, Output_format format, const Result& result
 }
 
 /// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
+/// `material_library`: the name of that of .obj
 void write_segments(std::ostream& out, Output_format format, const Result& result,
-                    const Labelled_mesh& mesh, const std::vector<Polyline>& feature_lines)
+                    const Labelled_mesh& mesh, const std::string& material_library)
 {
   switch (format) {
   case Output_format::SEG:
@@ -41,7 +48,7 @@ void write_segments(std::ostream& out, Output_format format, const Result& resul
   case Output_format::OFF:
     return write_off(out, mesh);
   case Output_format::OBJ:
-    return write_obj(out, mesh, feature_lines);
+    return write_obj(out, mesh, material_library);
   case Output_format::VTP:
     return write_vtp(out, mesh);
   case Output_format::JSON:
@@ -56,7 +63,49 @@ void write_segments(std::ostream& out, Output_format format, const Result& resul
     return write_glb(out, mesh);
   case Output_format::THREE_MF:
     return write_3mf(out, mesh);
+  case Output_format::STL:
+    return write_stl(out, mesh);
   }
+}
+
+/// Writes the text of `write(stream)`, and compresses it if wanted. The compressed text is written
+/// at the end: a filter before a stream would not see that this fails.
+template <typename Write>
+void write_stream(std::ostream& out, Compression compression, const Write& write)
+{
+  if (compression == Compression::NONE) {
+    write(out);
+    return;
+  }
+  std::string compressed;
+  boost::iostreams::filtering_ostream compressor;
+  compressor.push(boost::iostreams::gzip_compressor());
+  compressor.push(boost::iostreams::back_inserter(compressed));
+  write(compressor);
+  compressor.reset(); // it is complete
+  out.write(compressed.data(), std::streamsize(compressed.size()));
+}
+
+/// A file, of .obj with its materials. `mesh` as of `write_segments()`
+void write_file(const Output& output, const Result& result, const Labelled_mesh& mesh)
+{
+  Whole_file file(output.file);
+  std::optional<Whole_file> materials;
+  std::string name;
+  if (const std::string library = material_library(output); !library.empty()) {
+    materials.emplace(library);
+    write_mtl(materials->stream(), mesh);
+    name = one_line(std::filesystem::path(library).filename().string());
+  }
+  write_stream(file.stream(), output.compression, [&](std::ostream& out) {
+    if (output.content == Output_content::BORDERS)
+      write_borders(out, output.format, result);
+    else
+      write_segments(out, output.format, result, mesh, name);
+  });
+  if (materials)
+    materials->commit();
+  file.commit();
 }
 
 /// \throws Output_error if the program was built without the library of a format
@@ -68,7 +117,6 @@ void check_libraries(const Output& output)
   };
   require(Output_format::HTML, can_write_pages(), "pages need three.js (Debian: libjs-three)");
   require(Output_format::GLB, can_write_glb(), ".glb needs tinygltf (Debian: libtinygltf-dev)");
-  require(Output_format::THREE_MF, can_write_3mf(), ".3mf needs lib3mf (Debian: lib3mf-dev)");
 }
 
 /// The largest absolute value of a coordinate of a polygon.
@@ -82,33 +130,32 @@ double largest_coordinate(const Polygon_soup& soup)
   return largest;
 }
 
-/// \throws Output_error if a format cannot represent the coordinates
+/// \throws Output_error if the coordinates are none of float, which readers of the formats of parts
+/// use
 void check_coordinates(const Output& output, const Polygon_soup& soup)
 {
   using Limits = std::numeric_limits<float>;
-  const bool is_3mf = output.format == Output_format::THREE_MF;
-  if (!is_3mf && output.format != Output_format::GLB)
+  if (output.format != Output_format::GLB && output.format != Output_format::THREE_MF &&
+      output.format != Output_format::STL)
     return;
-  const double most = is_3mf ? 1e9 /* of lib3mf */ : double((Limits::max)()),
+  const double least = double((Limits::min)()), most = double((Limits::max)()),
                largest = largest_coordinate(soup);
-  if (largest > most || (largest > 0 && largest < double((Limits::min)()))) {
+  if (largest > most || (largest > 0 && largest < least)) {
     std::ostringstream text;
-    text << "coordinates reach " << largest << ", this format can have some from "
-         << double((Limits::min)()) << " to " << most;
+    text << "coordinates reach " << largest << ", this format can have some from " << least
+         << " to " << most;
     throw Output_error(output.file, text.str());
   }
 }
 
-void write_each_segment(const Output& output, const Result& result)
+void write_each_segment(const Output& output, const Result& result, const Labelled_mesh& mesh)
 {
-  const auto faces = faces_of_segments(result.segmentation.segment_of_face,
-                                       result.segmentation.number_of_segments);
-  for (std::size_t segment = 0; segment < faces.size(); ++segment) {
-    const Polygon_soup part = extract_faces(result.input.soup, faces[segment]);
-    Output_stream out(with_segment(output.file, std::to_string(segment)), output.compression);
-    write_segments(out.stream(), output.format, result,
-                   {part, std::vector<std::size_t>(part.polygons.size(), segment)}, {});
-    out.commit();
+  const auto faces = faces_of_segments(mesh.segment_of_face);
+  for (std::size_t segment = 0; segment + 1 < faces.size(); ++segment) {
+    const Polygon_soup part = extract_faces(mesh.soup, faces[segment]);
+    Output file = output;
+    file.file = with_segment(output.file, std::to_string(segment));
+    write_file(file, result, {part, std::vector<std::size_t>(part.polygons.size(), segment)});
   }
 }
 
@@ -118,19 +165,16 @@ void write_segmentation(const Output& output, const Result& result)
 {
   check_libraries(output);
   check_coordinates(output, result.input.soup);
-  if (output.is_for_each_segment()) {
-    write_each_segment(output, result);
-    return;
-  }
-  Output_stream out(output.file, output.compression);
-  if (output.content == Output_content::BORDERS)
-    write_borders(out.stream(), output.format, result);
+  std::optional<Solids> solids;
+  if (output.content == Output_content::SOLIDS)
+    solids = result.details.solids();
+  const Labelled_mesh mesh = solids ? Labelled_mesh{solids->soup, solids->segment_of_face}
+                                    : Labelled_mesh{result.input.soup,
+                                                    result.segmentation.segment_of_face};
+  if (output.is_for_each_segment())
+    write_each_segment(output, result, mesh);
   else
-    write_segments(out.stream(), output.format, result,
-                   {result.input.soup, result.segmentation.segment_of_face},
-                   output.format == Output_format::OBJ ? result.details.feature_lines()
-                                                       : std::vector<Polyline>());
-  out.commit();
+    write_file(output, result, mesh);
 }
 
 void write_seg(std::ostream& out, const Result& result)

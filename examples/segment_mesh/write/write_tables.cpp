@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The .csv output: a line for each segment, after one of the names of its columns.
+//
+//   segment, faces, area, area_share, volume, volume_share, border_length, boundary_length,
+//   centroid_x, centroid_y, centroid_z, extent_1, extent_2, extent_3, primitive, radius,
+//   half_angle, error, neighbors, point_x, point_y, point_z, direction_x, direction_y, direction_z,
+//   minor_radius, lowest, highest, concave, role, same_surface, same_axis, smooth_neighbors
+//
+// They are those of `Segment_description`; lengths, areas and volumes in units of the mesh,
+// half_angle in degrees. radius is empty but for a sphere, cylinder or torus, half_angle but for a
+// cone; neighbors are separated by spaces, -1 stands for faces of no segment. A value that is too
+// large for a double is empty.
+// Of the method smooth-faces, unless faces were merged: primitive and what belongs to it are those
+// of `Fitted_surface`, the point of a cone its apex, error the largest distance of a vertex;
+// lowest and highest the ends of a cylinder, cone or torus along direction from point; concave 1 or
+// 0; role none, blend, hole or boss; same_surface and same_axis the first segment on the same
+// surface, with the same axis; smooth_neighbors those of the neighbors that it meets smoothly.
+
+// The .json output. One object, a line for each member and each element of a list of objects:
+//
+//   format        "segment_mesh"
+//   version       2; grows when a member changes its meaning or goes, not when one is added
+//   program       version of the program
+//   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
+//   settings      method: as on the command line; segments: the wanted number, null if it was
+//                 chosen; links: whether components are adjacent; smooth_borders: whether borders
+//                 were smoothed; constraints, seeds: the names of the files, if given; and of
+//                 two-step features: "concave", "convex" or "all"; max_angle: in degrees; of
+//                 smooth-faces tolerance: in units of the mesh, if given and not 0. Of a
+//                 segmentation that was read, labels alone: the name of its file
+//   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
+//                 with stage and seconds, in order
+//   segments      for each segment, by its id, what `Segment_description` has, with angles
+//                 in degrees: faces, area, volume, volume_share, centroid, axes, extents,
+//                 border_length, boundary_length, neighbors (segment, border_length,
+//                 mean_signed_deviation), primitive (type, error, point, and where it has them
+//                 direction, radius, half_angle). Of the method smooth-faces also: border of a
+//                 neighbor, "smooth" or "sharp"; and unless faces were merged: in primitive, which
+//                 is that of `Fitted_surface` with the apex as the point of a cone, and error the
+//                 largest distance of a vertex: minor_radius, concave (whether its inside is seen),
+//                 extent (the ends along direction from point); type alone if it is "freeform";
+//                 role
+//                 ("none", "blend", "hole", "boss"); same_surface, same_axis (the first segment on
+//                 the same surface, with the same axis)
+//   regions       for each region that merging started from, by its id: segment, faces, area,
+//                 perimeter (shared with other regions)
+//   sections      for each pair of adjacent regions: regions (two ids), edges (seams and
+//                 links, too), length, mean_angle (the dihedral angle, in radians; pi is flat).
+//                 Lengths and areas of regions and sections are in units of `Surface::unit()`:
+//                 those of the mesh, unless areas might exceed the range of double
+//   merges        in order: regions (the one that is kept, the one that joins it), cost (in units
+//                 of the method)
+//   feature_lines of two-step: the lines of feature edges that are left, each by the indices of its
+//                 points, from 0 on
+//   face_segments the segment of each face, in the order of the input's file
+//   face_regions  the region of each face
+//   remarks       what the reader had to say, as texts
+//
+// Numbers are finite, but where a value is too large for a double there is null.
+
+#include "segmentation/segment_json.h"
+#include "write/Text_buffer.h"
+#include "write/write_segmentation.h"
+
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+#include <CGAL/Region_segmentation/version.h>
+#include <CGAL/number_type_config.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace segment_mesh {
+
+namespace {
+
+namespace RS = CGAL::Region_segmentation;
+using nlohmann::ordered_json;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// After a comma.
+void write_value(Text_buffer& text, double value)
+{
+  text << ",";
+  if (std::isfinite(value))
+    text << value;
+}
+
+void write_primitive(Text_buffer& text, const Segment_description& segment)
+{
+  const RS::Fitted_surface<Kernel> s = surface_of(segment);
+  text << "," << name_of(s.kind);
+  write_value(text, has_radius(s) ? s.radius : none);
+  write_value(text, s.kind == RS::Surface_kind::CONE ? s.angle * 180 / CGAL_PI : none);
+  write_value(text, s.kind == RS::Surface_kind::FREEFORM ? none : error_of(segment));
+}
+
+void write_numbers(Text_buffer& text, const std::vector<std::size_t>& numbers)
+{
+  const char* separator = ",";
+  for (std::size_t number : numbers) {
+    text << separator << std::int64_t(number);
+    separator = " ";
+  }
+  if (numbers.empty())
+    text << ",";
+}
+
+/// The place of a surface, and what is known of faces of machine parts.
+void write_face(Text_buffer& text, const Segment_description& segment)
+{
+  const RS::Fitted_surface<Kernel> s = surface_of(segment);
+  const bool has_point = s.kind != RS::Surface_kind::FREEFORM,
+             has_direction = has_point && s.kind != RS::Surface_kind::SPHERE;
+  for (double x : {s.point.x(), s.point.y(), s.point.z()})
+    write_value(text, has_point ? x : none);
+  for (double x : {s.direction.x(), s.direction.y(), s.direction.z()})
+    write_value(text, has_direction ? x : none);
+  write_value(text, s.kind == RS::Surface_kind::TORUS ? s.minor_radius : none);
+  for (double z : {s.lowest, s.highest})
+    write_value(text, segment.face && s.has_axis() ? z : none);
+  if (!segment.face)
+    text << ",,,,";
+  else
+    text << "," << (s.side < 0 ? 1 : 0) << "," << name_of(segment.face->role) << ","
+         << segment.face->same_surface << "," << segment.face->same_axis;
+  write_numbers(text, segment.smooth_neighbors.value_or(std::vector<std::size_t>()));
+}
+
+/// Of the segments: by the areas of regions, whose unit is so that none is too large.
+std::vector<double> area_shares(const Result& result)
+{
+  std::vector<double> shares(result.segmentation.number_of_segments);
+  double area = 0;
+  for (const Region& region : result.details.regions()) {
+    if (region.segment != RS::no_segment)
+      shares[region.segment] += region.area;
+    area += region.area;
+  }
+  for (double& share : shares)
+    share = area > 0 ? share / area : 0;
+  return shares;
+}
+const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
+{
+  using CGAL::Region_segmentation::Feature_convexity;
+  return features == Feature_convexity::CONCAVE  ? "concave"
+         : features == Feature_convexity::CONVEX ? "convex"
+                                                 : "all";
+}
+
+const char* name_of(Method method)
+{
+  return method == Method::TWO_STEP     ? "two-step"
+         : method == Method::VISIBILITY ? "visibility"
+         : method == Method::LEARNED    ? "learned"
+                                        : "smooth-faces";
+}
+
+ordered_json settings_json(const Result& result)
+{
+  if (!result.side_files.labels.empty())
+    return {{"labels", result.side_files.labels}};
+  const Segmentation_settings& settings = result.settings;
+  ordered_json json = {{"method", name_of(settings.method)},
+                       {"segments", nullptr},
+                       {"links", settings.links == Component_links::FOUND},
+                       {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
+  if (settings.number_of_segments)
+    json["segments"] = *settings.number_of_segments;
+  if (!result.side_files.constraints.empty())
+    json["constraints"] = result.side_files.constraints;
+  if (!result.side_files.seeds.empty())
+    json["seeds"] = result.side_files.seeds;
+  if (const auto& features = result.segmentation.features) {
+    json["features"] = name_of(features->convexity);
+    json["max_angle"] = features->maximum_angle;
+  }
+  if (settings.tolerance > 0)
+    json["tolerance"] = settings.tolerance;
+  return json;
+}
+
+template <typename Elements, typename ToJson>
+ordered_json array_json(const Elements& elements, ToJson to_json)
+{
+  ordered_json array = ordered_json::array();
+  for (const auto& element : elements)
+    array.push_back(to_json(element));
+  return array;
+}
+
+ordered_json times_json(const Segmentation& segmentation)
+{
+  ordered_json stages = array_json(segmentation.stages, [](const Stage_time& time) -> ordered_json {
+    return {{"stage", time.stage}, {"seconds", time.seconds}};
+  });
+  return {{"total", segmentation.seconds}, {"stages", std::move(stages)}};
+}
+
+void add_details(const Result& result, ordered_json& json)
+{
+  json["segments"] = array_json(result.details.segments(), segment_json);
+  json["regions"] = array_json(result.details.regions(), [](const Region& r) -> ordered_json {
+    return {{"segment", std::int64_t(r.segment)},
+            {"faces", r.number_of_faces},
+            {"area", r.area},
+            {"perimeter", r.perimeter}};
+  });
+  json["sections"] = array_json(result.details.sections(), [](const Section& s) -> ordered_json {
+    return {{"regions", s.regions},
+            {"edges", s.number_of_adjacencies},
+            {"length", s.length},
+            {"mean_angle", s.mean_angle}};
+  });
+  json["merges"] = array_json(
+    result.segmentation.tree.merges(), [](const auto& merge) -> ordered_json {
+      return {{"regions", {merge.kept, merge.removed}}, {"cost", merge.cost}};
+    });
+}
+
+std::string text_of(const ordered_json& json)
+{
+  constexpr int on_one_line = -1;
+  return json.dump(on_one_line, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+void write_members(std::ostream& out, const ordered_json& json)
+{
+  const char* separator = "{\n";
+  for (const auto& [name, value] : json.items()) {
+    out << separator << "\"" << name << "\": ";
+    separator = ",\n";
+    if (!value.is_array() || value.empty() || !value.front().is_object()) {
+      out << text_of(value);
+      continue;
+    }
+    const char* before = "[\n";
+    for (const ordered_json& element : value) {
+      out << before << text_of(element);
+      before = ",\n";
+    }
+    out << "]";
+  }
+  out << "\n}\n";
+}
+
+} // namespace
+
+void write_csv(std::ostream& out, const Result& result)
+{
+  Text_buffer text(out);
+  text << "segment,faces,area,area_share,volume,volume_share,border_length,boundary_length,"
+          "centroid_x,centroid_y,"
+          "centroid_z,extent_1,extent_2,extent_3,primitive,radius,half_angle,error,neighbors,"
+          "point_x,point_y,point_z,direction_x,direction_y,direction_z,minor_radius,lowest,highest,"
+          "concave,role,same_surface,same_axis,smooth_neighbors\n";
+  const std::vector<double> shares = area_shares(result);
+  for (const Segment_description& s : result.details.segments()) {
+    text << s.segment << "," << s.number_of_faces;
+    for (double value :
+         {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
+          s.centroid.x(), s.centroid.y(), s.centroid.z(), s.extents[0], s.extents[1], s.extents[2]})
+      write_value(text, value);
+    write_primitive(text, s);
+    std::vector<std::size_t> neighbors;
+    for (const auto& neighbor : s.neighbors)
+      neighbors.push_back(neighbor.segment);
+    write_numbers(text, neighbors);
+    write_face(text, s);
+    text << "\n";
+  }
+}
+
+void write_json(std::ostream& out, const Result& result)
+{
+  ordered_json json = {
+    {"format", "segment_mesh"}, {"version", 2}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
+  json["input"] = {{"name", result.name},
+                   {"faces", result.input.soup.polygons.size()},
+                   {"points", result.input.soup.points.size()}};
+  json["settings"] = settings_json(result);
+  json["times"] = times_json(result.segmentation);
+  add_details(result, json);
+  json["feature_lines"] = result.details.feature_lines();
+  json["face_segments"] = array_json(result.segmentation.segment_of_face,
+                                     [](std::size_t s) { return std::int64_t(s); });
+  json["face_regions"] = result.segmentation.region_of_face;
+  json["remarks"] = result.input.remarks;
+  write_members(out, json);
+}
+
+} // namespace segment_mesh

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""outputs_test.py PROGRAM READER: what segment_mesh writes, read by another program: as many parts as segments, with the areas
+that they have by the .seg file and the mesh. READER is assimp, vtk or prusa-slicer, of the Debian packages assimp-utils,
+python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a format, the test is
+skipped."""
+
+import csv
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+# A block of six rectangles.
+BLOCK = """OFF
+8 6 0
+0 0 0
+2 0 0
+2 1 0
+0 1 0
+0 0 3
+2 0 3
+2 1 3
+0 1 3
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+"""
+
+
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(77)
+
+
+def area(triangles):
+    """Of an array of triangles, three points each."""
+    a, b, c = numpy.asarray(triangles, dtype=float).transpose(1, 0, 2)
+    return numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2
+
+
+def fan(points, face):
+    return [[points[face[0]], points[face[i]], points[face[i + 1]]] for i in range(1, len(face) - 1)]
+
+
+class Case:
+    """A mesh that segment_mesh segments and writes."""
+
+    def __init__(self, program, folder, mesh, options):
+        self.folder, self.command = folder, [program, mesh, *options, "-q"]
+        self.write("mesh.off", "labels.seg")
+        numbers = (folder / "mesh.off").read_text().split("\n")
+        n = int(numbers[1].split()[0])
+        self.points = [tuple(map(float, line.split())) for line in numbers[2:2 + n]]
+        faces = [list(map(int, line.split())) for line in numbers[2 + n:] if line]
+        self.faces = [face[1:face[0] + 1] for face in faces]
+        self.colors = [tuple(face[face[0] + 1:]) for face in faces]
+        self.labels = [int(word) for word in (folder / "labels.seg").read_text().split()]
+        self.areas = self.areas_by(self.points, self.faces, self.labels)
+        self.names = [f"segment_{i}" for i in range(len(self.areas))]
+
+    def write(self, *names, options=()):
+        outputs = [word for name in names for word in ("-o", name)]
+        outcome = subprocess.run([*self.command, *outputs, *options], cwd=self.folder, capture_output=True, text=True)
+        if "built without" in outcome.stderr:
+            skip(outcome.stderr)
+        assert outcome.returncode == 0, outcome.stderr
+
+    @staticmethod
+    def areas_by(points, faces, keys):
+        """Of the faces of each key, in the order of keys."""
+        parts = {}
+        for face, key in zip(faces, keys, strict=True):
+            parts.setdefault(key, []).extend(fan(points, face))
+        return [area(parts[key]) for key in sorted(parts)]
+
+    def expect(self, areas):
+        numpy.testing.assert_allclose(areas, self.areas, rtol=1e-6)
+
+
+def meshes_of_glb(file):
+    """Name, triangles, and name of the material of each mesh of a binary glTF."""
+    data = file.read_bytes()
+    size = int.from_bytes(data[12:16], "little")
+    document, binary = json.loads(data[20:20 + size]), data[28 + size:]
+
+    def array(index):
+        accessor = document["accessors"][index]
+        view = document["bufferViews"][accessor["bufferView"]]
+        values = numpy.frombuffer(binary, {5126: "<f4", 5125: "<u4", 5123: "<u2"}[accessor["componentType"]],
+                                  accessor["count"] * {"VEC3": 3, "SCALAR": 1}[accessor["type"]],
+                                  view.get("byteOffset", 0) + accessor.get("byteOffset", 0))
+        return values.reshape(-1, 3) if accessor["type"] == "VEC3" else values
+
+    for node in document["nodes"]:
+        if "mesh" in node:
+            primitive, = document["meshes"][node["mesh"]]["primitives"]
+            corners = array(primitive["indices"])
+            attributes = {name: array(index)[corners].reshape(-1, 3, 3) for name, index in primitive["attributes"].items()}
+            yield node.get("name"), attributes, document["materials"][primitive.get("material", 0)]
+
+
+def check_assimp(case):
+    case.write("a.obj", "a.glb", "a.stl", "a.3mf", "a.ply")
+    for kind in "obj", "glb", "stl", "3mf", "ply", "off":
+        mesh = "mesh.off" if kind == "off" else f"a.{kind}"
+        subprocess.run(["assimp", "export", mesh, f"{kind}_back.glb", "-fglb2"], cwd=case.folder, check=True,
+                       stdout=subprocess.DEVNULL)
+        parts = list(meshes_of_glb(case.folder / f"{kind}_back.glb"))
+        areas = [area(attributes["POSITION"]) for _, attributes, _ in parts]
+        if kind in ("ply", "off"): # which have one mesh
+            numpy.testing.assert_allclose(areas, [sum(case.areas)], rtol=1e-6)
+            continue
+        case.expect(areas)
+        if kind == "3mf": # whose names assimp 5.2 does not read
+            continue
+        assert [name for name, _, _ in parts] == case.names, kind
+        if kind != "stl":
+            assert [material["name"] for _, _, material in parts] == case.names
+            colors = [material["pbrMetallicRoughness"]["baseColorFactor"] for _, _, material in parts]
+            assert len(set(map(tuple, colors))) == len(parts), colors
+    for _, attributes, _ in meshes_of_glb(case.folder / "a.glb"):
+        a, b, c = attributes["POSITION"].transpose(1, 0, 2)
+        flat = numpy.cross(b - a, c - a)
+        flat /= numpy.linalg.norm(flat, axis=1)[:, None]
+        numpy.testing.assert_allclose(numpy.linalg.norm(attributes["NORMAL"], axis=2), 1, atol=1e-6)
+        assert (numpy.einsum("tcx,tx->tc", attributes["NORMAL"], flat) > 0.6).all()
+
+
+def check_vtk(case):
+    try:
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+        from vtkmodules.vtkIOPLY import vtkPLYReader
+        from vtkmodules.vtkIOGeometry import vtkOBJReader
+    except ImportError:
+        skip("no python3-vtk9")
+
+    def read(reader, name):
+        reader.SetFileName(str(case.folder / name))
+        reader.Update()
+        data = reader.GetOutput()
+        cells = []
+        for i in range(data.GetNumberOfCells()):
+            ids = data.GetCell(i).GetPointIds() # valid until the next cell
+            cells.append([ids.GetId(c) for c in range(ids.GetNumberOfIds())])
+        return data, [data.GetPoint(i) for i in range(data.GetNumberOfPoints())], cells
+
+    def array(data, name):
+        values = data.GetCellData().GetArray(name)
+        return [tuple(map(int, values.GetTuple(i))) for i in range(values.GetNumberOfTuples())]
+
+    case.write("a.vtp", "a.ply", options=["--borders", "b.vtp", "--borders", "b.obj"])
+    data, points, faces = read(vtkXMLPolyDataReader(), "a.vtp")
+    assert (points, faces) == (case.points, case.faces)
+    assert array(data, "segment") == [(label,) for label in case.labels]
+    assert array(data, "color") == case.colors
+    data, points, faces = read(vtkPLYReader(), "a.ply")
+    assert array(data, "RGB") == case.colors
+    label_of_color = dict(zip(case.colors, case.labels))
+    case.expect(case.areas_by(points, faces, [label_of_color[color] for color in array(data, "RGB")]))
+
+    # Every border edge is one of faces of both segments, and none is missing; there are no other points.
+    sides = {}
+    for face, label in zip(case.faces, case.labels):
+        for a, b in zip(face, face[1:] + face[:1]):
+            sides[case.points[a], case.points[b]] = label
+    expected = {(a, b) for (a, b), label in sides.items() if sides[b, a] != label}
+    data, points, lines = read(vtkXMLPolyDataReader(), "b.vtp")
+    found = set()
+    for line, left, right in zip(lines, array(data, "left_segment"), array(data, "right_segment"), strict=True):
+        for a, b in zip(line, line[1:]):
+            a, b = points[a], points[b]
+            assert (sides[a, b], sides[b, a]) == (*left, *right)
+            found |= {(a, b), (b, a)}
+    assert found == expected and found
+    assert sorted(points) == sorted({a for a, _ in found})
+    data, points_of_obj, lines_of_obj = read(vtkOBJReader(), "b.obj")
+    assert lines_of_obj == lines
+    numpy.testing.assert_allclose(points_of_obj, points, rtol=1e-6)
+
+
+def check_slicer(case):
+    def slicer(*arguments):
+        return subprocess.run(["prusa-slicer", *arguments], cwd=case.folder, check=True, capture_output=True, text=True).stdout
+
+    case.write("a.stl", "a.3mf")
+    for kind in "stl", "3mf":
+        slicer("--export-stl", "--dont-arrange", "--no-ensure-on-bed", "-o", f"{kind}_back.stl", f"a.{kind}")
+        data = (case.folder / f"{kind}_back.stl").read_bytes()
+        corners = numpy.frombuffer(data[84:], [("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])["corners"]
+        numpy.testing.assert_allclose(area(corners.reshape(-1, 3, 3)), sum(case.areas), rtol=1e-6)
+    assert slicer("--info", "a.3mf").count("number_of_facets") == len(case.areas)
+
+    case.write("a.stl", "a.3mf", "part_{segment}.stl", options=["--solids"])
+    volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
+    for names in ["a.stl"], ["a.3mf"], [f"part_{i}.stl" for i in range(len(case.areas))]:
+        info = "".join(slicer("--info", name) for name in names)
+        values = {name: re.findall(rf"^{name} = +(\S+)", info, re.MULTILINE)
+                  for name in ("manifold", "number_of_parts", "volume")}
+        assert set(values["manifold"]) == {"yes"}, info
+        assert sum(map(int, values["number_of_parts"])) == len(case.areas), info
+        numpy.testing.assert_allclose(sum(map(float, values["volume"])), volume, rtol=1e-4)
+
+
+def check_csv(case):
+    case.write("a.csv")
+    with open(case.folder / "a.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["segment"] for row in rows] == [str(i) for i in range(len(case.areas))]
+    assert [int(row["faces"]) for row in rows] == list(numpy.bincount(case.labels))
+    case.expect([float(row["area"]) for row in rows])
+
+
+def main(program, reader):
+    if reader in ("assimp", "prusa-slicer") and not shutil.which(reader):
+        skip(f"no {reader}")
+    check = {"assimp": check_assimp, "vtk": check_vtk, "prusa-slicer": check_slicer, "csv": check_csv}[reader]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "block.off").write_text(BLOCK)
+        check(Case(program, folder, "--demo", []))
+        check(Case(program, folder, "block.off", ["--method", "smooth-faces"]))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
