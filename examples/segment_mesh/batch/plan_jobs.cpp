@@ -4,7 +4,6 @@
 
 #include "read/Mesh_format.h"
 #include "read/errors.h"
-#include "read/file_endings.h"
 #include "write/output_format.h"
 #include "write/Whole_file.h"
 
