@@ -1,91 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A model as XML, and two files that say so, in a ZIP archive. Sources: "3D Manufacturing Format,
-// Core Specification", https://3mf.io/specification; "APPNOTE.TXT, .ZIP File Format Specification",
-// PKWARE. lib3mf 1, which Debian has, cuts coordinates off after six decimals.
+// A model as XML, and two files that say so, in a ZIP archive. Source: "3D Manufacturing Format,
+// Core Specification", https://3mf.io/specification. lib3mf 1, which Debian has, cuts coordinates
+// off after six decimals.
 
-#include "read/little_endian.h"
 #include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
-#include <boost/crc.hpp>
-#include <boost/iostreams/device/back_inserter.hpp>
-#include <boost/iostreams/filter/zlib.hpp>
-#include <boost/iostreams/filtering_stream.hpp>
+#include <archive.h>
+#include <archive_entry.h>
 
-#include <array>
-#include <cstdint>
-#include <limits>
+#include <memory>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace segment_mesh {
 
 namespace {
 
-class Zip_archive
+/// A file of a ZIP archive: its name and its content.
+using Entry = std::pair<std::string, std::string>;
+
+/// Appends to the `std::string` that `text` points to.
+la_ssize_t append(archive*, void* text, const void* bytes, std::size_t size)
 {
-public:
-  void add(const std::string& name, const std::string& content)
-  {
-    boost::crc_32_type crc;
-    crc.process_bytes(content.data(), content.size());
-    const std::string data = deflated(content);
-    std::string header; // what a file has before it, and once more in the directory
-    for (const unsigned value :
-         {20u /* version 2.0 */, 0u, 8u /* deflated */, 0u, 0x21u /* 1980 */})
-      append_little_endian(header, std::uint16_t(value));
-    append_little_endian(header, std::uint32_t(crc.checksum()));
-    append_size(header, data.size());
-    append_size(header, content.size());
-    append_little_endian(header, std::uint16_t(name.size()));
-    append_little_endian(header, std::uint16_t(0));
+  static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), size);
+  return la_ssize_t(size);
+}
 
-    m_directory += "PK\1\2";
-    append_little_endian(m_directory, std::uint16_t(20));
-    m_directory += header + std::string(10, '\0');
-    append_size(m_directory, m_files.size());
-    m_directory += name;
-    m_files += "PK\3\4" + header + name + data;
-    ++m_number_of_files;
+std::string zip_archive(const std::vector<Entry>& entries)
+{
+  std::string result;
+  const std::unique_ptr<archive, int (*)(archive*)> zip(archive_write_new(), archive_write_free);
+  const auto check = [&zip](long code) {
+    if (code < 0)
+      throw std::runtime_error(archive_error_string(zip.get()));
+  };
+  check(archive_write_set_format_zip(zip.get()));
+  check(archive_write_open(zip.get(), &result, nullptr, append, nullptr));
+  for (const auto& [name, content] : entries) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                         archive_entry_free);
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_mtime(entry.get(), 0, 0); // equal inputs give equal files
+    archive_entry_set_size(entry.get(), la_int64_t(content.size()));
+    check(archive_write_header(zip.get(), entry.get()));
+    check(archive_write_data(zip.get(), content.data(), content.size()));
   }
-
-  void write(std::ostream& out) const
-  {
-    std::string end = "PK\5\6" + std::string(4, '\0');
-    append_little_endian(end, m_number_of_files);
-    append_little_endian(end, m_number_of_files);
-    append_size(end, m_directory.size());
-    append_size(end, m_files.size());
-    out << m_files << m_directory << end << std::string(2, '\0');
-  }
-
-private:
-  static std::string deflated(const std::string& content)
-  {
-    boost::iostreams::zlib_params parameters;
-    parameters.noheader = true;
-    std::string result;
-    boost::iostreams::filtering_ostream out;
-    out.push(boost::iostreams::zlib_compressor(parameters));
-    out.push(boost::iostreams::back_inserter(result));
-    out << content;
-    out.reset(); // it is complete
-    return result;
-  }
-
-  static void append_size(std::string& bytes, std::size_t size)
-  {
-    if (size > (std::numeric_limits<std::uint32_t>::max)())
-      throw std::length_error("a .3mf file has at most 4 GB");
-    append_little_endian(bytes, std::uint32_t(size));
-  }
-
-  std::string m_files, m_directory;
-  std::uint16_t m_number_of_files = 0;
-};
+  check(archive_write_close(zip.get()));
+  return result;
+}
 
 std::string hexadecimal(const Color& color)
 {
@@ -132,23 +102,20 @@ void write_3mf(std::ostream& out, const Labelled_mesh& mesh)
   const std::string start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
                     package = "http://schemas.openxmlformats.org/package/2006/",
                     model = "3D/3dmodel.model";
-  Zip_archive archive;
-  archive.add(
-    "[Content_Types].xml",
-    start + "<Types xmlns=\"" + package +
-      "content-types\"><Default Extension=\"rels\" "
-      "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-      "<Default Extension=\"model\" "
-      "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n");
-  archive.add("_rels/.rels",
-              start + "<Relationships xmlns=\"" + package +
-                "relationships\"><Relationship Id=\"model\" Target=\"/" + model +
-                "\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
-                "</Relationships>\n");
   std::ostringstream text;
   write_model(text, triangles_of_segments(mesh));
-  archive.add(model, text.str());
-  archive.write(out);
+  out << zip_archive(
+    {{"[Content_Types].xml",
+      start + "<Types xmlns=\"" + package +
+        "content-types\"><Default Extension=\"rels\" "
+        "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
+        "<Default Extension=\"model\" "
+        "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
+     {"_rels/.rels", start + "<Relationships xmlns=\"" + package +
+                       "relationships\"><Relationship Id=\"model\" Target=\"/" + model +
+                       "\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
+                       "</Relationships>\n"},
+     {model, text.str()}});
 }
 
 } // namespace segment_mesh
