@@ -89,7 +89,8 @@ class SegmentIntoParts(bpy.types.Operator):
 
     def execute(self, context):
         if region_segmentation is None:
-            self.report({"ERROR"}, f"The Python package region_segmentation is missing: install it for {sys.executable}")
+            python, folder = "%d.%d" % sys.version_info[:2], bpy.utils.user_resource("SCRIPTS", path="modules")
+            self.report({"ERROR"}, f"The Python package region_segmentation is missing: install it for Python {python} by pip install --target {folder}")
             return {"CANCELLED"}
         mesh = context.object.data
         options = {"method": self.method, "number_of_segments": self.number or None}
