@@ -303,6 +303,7 @@ def test_wrong_input_is_named():
 
     invalid = region_segmentation.InvalidInput
     assert issubclass(invalid, ValueError) and issubclass(region_segmentation.Cancelled, RuntimeError)
+    assert invalid.__module__ == region_segmentation.Cancelled.__module__ == "region_segmentation"
     assert message(points[:, :2], faces) == "points: not an array of (n, 3) numbers"
     assert message(points, faces[:, :2]).startswith("faces: not an array of (m, 3) or more indices")
     assert message(points, faces + 7, kind=invalid) == "face 6, from 0: index 16 is out of range: there are 16 points"

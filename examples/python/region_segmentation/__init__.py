@@ -29,6 +29,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._core import Cancelled, InvalidInput, __version__
 
+Cancelled.__module__ = InvalidInput.__module__ = __name__  # as tracebacks say
+
 Method = Literal["learned", "visibility", "two-step", "smooth-faces"]
 Progress = Callable[[str, float], Optional[bool]]
 Triple = tuple[float, float, float]
