@@ -94,8 +94,7 @@ public:
 private:
   Result result() const
   {
-    return {m_name,       m_input,        m_marks,   m_settings,
-            m_side_files, m_segmentation, m_details, m_viewpoint};
+    return {m_name, m_input, m_marks, m_settings, m_side_files, m_segmentation, m_details, m_view};
   }
 
   std::string m_name = "a";
@@ -105,7 +104,7 @@ private:
   Segmentation_settings m_settings;
   Segmentation m_segmentation;
   Segmentation_details m_details{m_input.soup, m_settings, m_segmentation};
-  std::optional<Viewpoint> m_viewpoint;
+  View_options m_view;
 };
 
 /// A cylinder with a groove, a conical end, and a blind hole in it: segments are as listed.

@@ -157,39 +157,6 @@ TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
   }
 }
 
-TEST(Sample_buffer, of_equal_depths_the_lower_face_stays_also_where_whole_blocks_are_behind)
-{
-  Sample_buffer buffer(150, 4);
-  const std::vector<Sample_buffer::Corner> all = {
-    {0, 0, 1, 1}, {150, 0, 1, 1}, {150, 4, 1, 1}, {0, 4, 1, 1}};
-  for (const Sample_buffer::Index face : {7, 3, 5})
-    buffer.draw_polygon(all, face);
-  for (std::size_t sample = 0; sample < 150 * 4; ++sample)
-    ASSERT_EQ(buffer.face(sample), 3u) << sample;
-}
-
-/// Of layers that cover each other only the nearest is seen, whether it comes first or last.
-TEST(Render_view, layers_show_the_nearest)
-{
-  constexpr std::size_t layers = 100;
-  for (const double step : {1.0, -1.0}) {
-    Polygon_soup soup;
-    for (std::size_t i = 0; i < layers; ++i) {
-      const double z = step * double(i) / layers;
-      for (const Point& p : {Point{0, 0, z}, Point{1, 0, z}, Point{1, 1, z}, Point{0, 1, z}})
-        soup.points.push_back(p);
-      soup.polygons.push_back({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
-    }
-    std::vector<std::size_t> labels(layers, 0);
-    labels[step > 0 ? layers - 1 : 0] = 1;
-    View_options options = small_view();
-    options.viewpoint = front;
-    const Image image = render_view(soup, labels, {}, options);
-    EXPECT_TRUE(is_shade_of(image.at(80, 60), segment_color(1))) << step;
-    EXPECT_TRUE(is_shade_of(image.at(60, 40), segment_color(1))) << step;
-  }
-}
-
 TEST(Render_view, background_is_untouched)
 {
   const Image image = render_view(make_cube(), cube_labels, {}, small_view());
@@ -292,15 +259,83 @@ TEST(Render_view, the_viewpoint_shows_the_segments)
     EXPECT_EQ(visible.count(s), 1u) << s;
 }
 
-TEST(Render_view, a_viewpoint_is_orthonormal_and_right_handed)
+TEST(Render_view, a_viewpoint_is_orthonormal_right_handed_and_upright)
 {
-  for (const Viewpoint& v : candidate_viewpoints()) {
-    EXPECT_NEAR(inner_product(v.right, v.right), 1, 1e-12);
-    EXPECT_NEAR(inner_product(v.up, v.up), 1, 1e-12);
-    EXPECT_NEAR(inner_product(v.right, v.up), 0, 1e-12);
-    const Point difference = minus(cross_product(v.right, v.up), v.toward_viewer);
-    EXPECT_NEAR(inner_product(difference, difference), 0, 1e-12);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double sign : {-1.0, 1.0})
+      for (const Viewpoint& v : candidate_viewpoints({axis, sign})) {
+        EXPECT_NEAR(inner_product(v.right, v.right), 1, 1e-12);
+        EXPECT_NEAR(inner_product(v.up, v.up), 1, 1e-12);
+        EXPECT_NEAR(inner_product(v.right, v.up), 0, 1e-12);
+        const Point difference = minus(cross_product(v.right, v.up), v.toward_viewer);
+        EXPECT_NEAR(inner_product(difference, difference), 0, 1e-12);
+        EXPECT_EQ(v.right[axis], 0);
+        EXPECT_GT(sign * v.up[axis], 0);
+        EXPECT_GT(sign * v.toward_viewer[axis], 0);
+      }
+}
+
+TEST(Render_view, a_turned_mesh_looks_the_same_where_its_own_direction_is_up)
+{
+  Polygon_soup brick = make_cube();
+  for (Point& p : brick.points)
+    p = {p[0], 2 * p[1], 4 * p[2]};
+  const auto picture = [&](const Up_direction& up, const auto& turn) {
+    Polygon_soup turned = brick;
+    for (Point& p : turned.points)
+      p = turn(p);
+    View_options options = small_view();
+    options.up = up;
+    return render_view(turned, cube_labels, {}, options).pixels;
+  };
+  const auto upright = picture({}, [](const Point& p) { return p; });
+  EXPECT_EQ(upright, picture({2, 1}, [](const Point& p) { return Point{p[2], p[0], p[1]}; }));
+  EXPECT_EQ(upright, picture({0, 1}, [](const Point& p) { return Point{p[1], p[2], p[0]}; }));
+  EXPECT_EQ(upright, picture({1, -1}, [](const Point& p) { return Point{-p[0], -p[1], p[2]}; }));
+  EXPECT_NE(upright, picture({2, 1}, [](const Point& p) { return p; }));
+}
+
+/// The normal of the sliver is turned by 70 degrees.
+TEST(Render_view, a_sliver_is_no_speck)
+{
+  Polygon_soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.503, 0.497, 0.012}};
+  soup.polygons = {{0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
+  View_options options = small_view();
+  options.viewpoint = front;
+  const Image image = render_view(soup, {0, 0, 0, 0}, {}, options);
+  int least = 255, greatest = 0;
+  for (std::size_t y = 20; y < 100; ++y)
+    for (std::size_t x = 40; x < 120; ++x) {
+      least = (std::min)(least, int(image.at(x, y)[1]));
+      greatest = (std::max)(greatest, int(image.at(x, y)[1]));
+    }
+  EXPECT_LT(greatest - least, 6);
+}
+
+Point cielab(const Color& color)
+{
+  Point linear;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const double c = color[j] / 255.0;
+    linear[j] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   }
+  const auto f = [&](const Point& row) {
+    const double t = inner_product(row, linear);
+    return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116;
+  };
+  const double x = f({0.43395, 0.37621, 0.18991}), y = f({0.2126, 0.7152, 0.0722}),
+               z = f({0.01772, 0.10948, 0.87289}); // relative to the white point D65
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+TEST(Segment_colors, the_first_dozen_are_well_apart)
+{
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Point difference = minus(cielab(segment_color(i)), cielab(segment_color(j)));
+      EXPECT_GE(std::sqrt(inner_product(difference, difference)), 32) << i << " " << j;
+    }
 }
 
 TEST(Render_view, degenerate_meshes_do_no_harm)

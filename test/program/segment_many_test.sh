@@ -1,12 +1,11 @@
 #!/bin/sh
-# segment_many_test.sh SEGMENT_MESH SCRIPT: kills examples/segment_many.sh in the middle, lets a mesh fail, starts
-# it again, and looks what was done anew. Skips (77) without GNU parallel.
+# segment_many_test.sh SEGMENT_MESH MANUAL: runs the manual's lines of GNU parallel for many meshes. The run is killed
+# in the middle and a mesh fails; the same lines then do what is left. Skips (77) without GNU parallel.
 set -eu
 segment_mesh=$1
-script=$2
+manual=$2
 command -v parallel >/dev/null || { echo "GNU parallel is not installed: skipped"; exit 77; }
-unset SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT SLURM_CPUS_PER_TASK
-export PARALLEL="-j 1"
+export PARALLEL="--will-cite -j 1"
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -21,8 +20,16 @@ expect() { # EXPECTED FOUND WHAT
   [ "$1" = "$2" ] || fail "$3: expected '$1', found '$2'"
 }
 
+# The code blocks of the manual that call parallel, one after the other in files block1, block2.
+awk '/^\\code/ { text = ""; inside = 1; next }
+     /^\\endcode/ { if (inside && text ~ /parallel --/) { ++n; printf "%s", text >("block" n) } inside = 0 }
+     inside { text = text $0 "\n" }' "$manual"
+[ -e block1 ] && [ -e block2 ] && [ ! -e block3 ] || fail "the manual has not two blocks that call parallel"
+grep -q "sshlogin :,alpha,beta" block2 || fail "the second block names no machines"
+
 # The program, with a list of the meshes that it was called for. It hangs at the mesh that the file `hang` names.
-cat >logged <<END
+mkdir bin meshes
+cat >bin/segment_mesh <<END
 #!/bin/sh
 echo "\$1" >>"$folder/log"
 if [ "\$1" = "\$(cat "$folder/hang")" ]; then
@@ -32,107 +39,66 @@ if [ "\$1" = "\$(cat "$folder/hang")" ]; then
 fi
 exec "$segment_mesh" "\$@"
 END
-chmod +x logged
-export SEGMENT_MESH="$folder/logged"
+chmod +x bin/segment_mesh
+PATH=$folder/bin:$PATH
 : >hang
+: >log
 
 # What the calls since the last time were for.
 calls() {
   tr '\n' ' ' <log
-  rm -f log
+  : >log
 }
 
-many() { # OUTPUTS...
+many() { # BLOCK
   status=0
-  sh "$script" "$@" -k 2 <list >out 2>err || status=$?
+  sh "$1" >out 2>err || status=$?
 }
 
-mkdir meshes parts
-for i in 1 2 3 4 5 6 7 8; do
+for i in 1 2 3 4 5 6; do
   printf 'OFF\n4 4 0\n0 0 0\n%s 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' "$i" >"meshes/m $i.off"
-  echo "meshes/m $i.off"
-done >list
-echo "meshes/bad.off" >>list
-echo "not a mesh" >meshes/bad.off
+done
+echo "not a mesh" >meshes/x.off
 
 # Killed at the fourth mesh: three are done, of the fourth nothing is there.
 echo "meshes/m 4.off" >hang
-sh "$script" parts seg,ply -k 2 <list >out 2>err &
+sed 's/^parallel/exec parallel/' block1 >killed
+sh killed >out 2>err &
 run=$!
 i=0
 while [ ! -e hanging ]; do
   i=$((i + 1))
-  [ $i -lt 600 ] || fail "the fourth mesh was not reached"
+  [ $i -lt 600 ] || fail "the fourth mesh was not reached: $(cat err)"
   sleep 0.1
 done
 kill -KILL $run "$(cat hanging)"
 wait $run 2>wait.err || true
 expect "meshes/m 1.off meshes/m 2.off meshes/m 3.off meshes/m 4.off " "$(calls)" "meshes before the kill"
 expect 6 "$(ls -A parts | wc -l | tr -d ' ')" "outputs before the kill"
-ls -i parts >before
 
 # The rest, and no more; the bad mesh fails without harm to the others.
 : >hang
-many parts seg,ply
+many block1
 [ $status -ne 0 ] || fail "a bad mesh is no failure"
-expect "meshes/m 4.off meshes/m 5.off meshes/m 6.off meshes/m 7.off meshes/m 8.off meshes/bad.off " "$(calls)" \
-  "meshes after the kill"
-grep -q "^meshes/bad.off:1: no OFF header" err || fail "no word on the bad mesh: $(cat err)"
-ls -i parts >after
-expect "" "$(grep -vxF -f after before || true)" "outputs that were made anew"
-expect 16 "$(ls -A parts | wc -l | tr -d ' ')" "outputs after all"
+expect "meshes/m 4.off meshes/m 5.off meshes/m 6.off meshes/x.off " "$(calls)" "meshes after the kill"
+expect "meshes/x.off:1: no OFF header" "$(grep x.off err | cut -c1-29)" "the word on the bad mesh"
+expect "" "$(cat out)" "words of a run that is quiet"
 
-# What failed, and nothing else; then what has changed or lacks an output.
-cp "meshes/m 1.off" meshes/bad.off
-many parts seg,ply
-expect 0 $status "exit status ($(cat err))"
-expect "meshes/bad.off " "$(calls)" "meshes after the repair"
-many parts seg,ply
-expect "0 0" "$status $(cat log 2>/dev/null | wc -l | tr -d ' ')" "a run when all is done"
-rm "parts/m 2.ply"
-touch -d '2001-01-01' "parts/m 7.seg"
-many parts seg,ply
-expect "meshes/m 2.off meshes/m 7.off " "$(calls)" "meshes that changed"
+# What failed, and nothing else; then nothing.
+cp "meshes/m 1.off" meshes/x.off
+many block1
+expect "0 meshes/x.off " "$status $(calls)" "meshes after the repair"
+many block1
+expect "0 " "$status $(calls)" "meshes when all is done"
 
-# The outputs are those of one run of the program.
+# The outputs are those of one run of the program; on several machines, too, all of which are this one here.
 mkdir expected
-"$segment_mesh" meshes/*.off -k 2 -o 'expected/{stem}.seg' -o 'expected/{stem}.ply' >out
+"$segment_mesh" meshes/*.off -q -k 7 -o 'expected/{stem}.seg' -o 'expected/{stem}.ply'
 diff -r parts expected || fail "other outputs than by one run"
-
-# Compressed, and of a name that starts like an option.
-mkdir packed
-gzip -c "meshes/m 1.off" >packed.off.gz
-cp "meshes/m 2.off" -- -k.off
-printf 'packed.off.gz\n-k.off\n' >special
-"$segment_mesh" packed.off.gz ./-k.off -k 2 -o 'packed/{stem}.seg' >out
-ls packed >names
-rm packed/*
-for round in "packed.off.gz ./-k.off " ""; do
-  status=0
-  sh "$script" packed seg -k 2 <special >out 2>err || status=$?
-  expect 0 $status "exit status ($(cat err))"
-  expect "$round" "$([ ! -e log ] || calls)" "special names"
-done
-expect "$(cat names)" "$(ls packed)" "outputs of special names"
-
-# The tasks of an array share the list, whatever number they start from.
-for first in 0 1; do
-  mkdir "share$first"
-  for i in 0 1 2; do
-    export SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_ID=$((first + i)) SLURM_CPUS_PER_TASK=1
-    many "share$first" seg
-    expect 0 $status "exit status of a task"
-    expect 3 "$(calls | tr -dc / | wc -c | tr -d ' ')" "meshes of a task"
-  done
-  expect "$(cd expected && cat *.seg)" "$(cd "share$first" && cat *.seg)" "outputs of the array"
-done
-unset SLURM_ARRAY_TASK_COUNT SLURM_ARRAY_TASK_ID SLURM_CPUS_PER_TASK
-
-# Wrong usage is told before the work.
-many none seg
-expect "2 segment_many.sh: none: no such folder" "$status $(cat err)" "a folder that is not there"
-echo "other/m 3.off" >>list
-many parts seg
-expect "2 segment_many.sh: two meshes would be written to parts/m 3" "$status $(cat err)" "two meshes of one name"
-[ ! -e log ] || fail "work was done on wrong usage"
+rm -r parts/* jobs.log
+sed 's/:,alpha,beta/:,:/' block2 >machines
+many machines
+expect 0 $status "exit status on several machines ($(cat err))"
+diff -r parts expected || fail "other outputs on several machines"
+expect 7 "$(calls | tr -dc / | wc -c | tr -d ' ')" "meshes on several machines"
 echo "all as expected"

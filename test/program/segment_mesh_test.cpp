@@ -43,8 +43,10 @@ TEST_F(Program, prints_a_line_for_an_input)
   EXPECT_EQ(outcome.err, "Nothing is written. A page to view and rotate the segments: -o a.html; a "
                          "mesh in their colors: -o "
                          "a_segments.ply\n");
-  EXPECT_EQ(run("a.off -k 1 -q").err, "");
   EXPECT_EQ(run("a.off -k 1 -o a.seg").err, "");
+  const Outcome quiet = run("a.off -k 1 -q");
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
 TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
@@ -65,6 +67,17 @@ TEST_F(Program, says_why_it_gives_fewer_or_more_segments)
     std::regex(
       "b\\.off: 2 faces, 2 regions, 2 segments of 1 \\(the mesh has 2 connected pieces\\)" +
       time_at_end)));
+}
+
+TEST_F(Program, gives_all_regions_of_two_step_without_a_number)
+{
+  folder.write("a.off", sample::off());
+  EXPECT_EQ(without_times(run("a.off --method two-step --features all -o a.seg").out),
+            "a.off: 4 faces, 4 regions, 4 segments\n");
+  EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n3\n");
+  for (const char* without_features : {"", "--features all --max-angle 130"})
+    EXPECT_EQ(without_times(run("a.off --method two-step " + std::string(without_features)).out),
+              "a.off: 4 faces, 1 region, 1 segment\n");
 }
 
 TEST_F(Program, chooses_the_number_of_segments)
@@ -161,8 +174,7 @@ TEST_F(Program, is_quiet_about_remarks_if_asked)
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
   const Outcome quiet = run("a.obj -k 1 --quiet");
   EXPECT_EQ(quiet.status, 0);
-  EXPECT_EQ(quiet.err, "");
-  EXPECT_NE(quiet.out, "");
+  EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
 /// Two tetrahedra a little apart, each face with points of its own, some of them turned.
@@ -206,6 +218,8 @@ TEST_F(Program, compares_with_truths)
     "global consistency error 0.0000, local consistency error 0.0000\n"
     "  mean: Rand index distance 0.5000, cut discrepancy undefined, Hamming distance 0.1585, "
     "global consistency error 0.0000, local consistency error 0.0000\n");
+  EXPECT_EQ(run("a.off -k 1 -q --truth '{stem}.seg' --truth b.seg").out,
+            outcome.out.substr(outcome.out.find('\n') + 1));
   folder.write("b.seg", "0\nx\n");
   EXPECT_EQ(run("a.off -k 1 --truth b.seg").err, "b.seg:2: 'x' is not a label\n");
   folder.write("b.seg", "0\n1\n");
@@ -278,8 +292,10 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("b.off", sample::off());
   const std::string endings = ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, "
                               ".json, .csv, .png, .html, .glb, .3mf or .stl";
-  expect_wrong_usage("a.off --method two-step",
-                     "--method two-step needs the number of segments: -k N");
+  for (const std::string size : {"0", "16385"})
+    for (const std::string& sizes : {size, size + "x600", "600x" + size})
+      expect_wrong_usage("a.off --size " + sizes,
+                         "--size " + size + ": not a whole number from 1 to 16384");
   for (const std::string number : {"0", "-1", "many", "2.5", "18446744073709551616"})
     expect_wrong_usage("a.off -k " + number, "-k " + number + ": not a whole number from 1 to " +
                                                std::to_string(std::size_t(-1)));
@@ -320,7 +336,7 @@ TEST_F(Program, knows_wrong_usage)
   expect_wrong_usage("a.off -k 2 -o a.seg -o ./a.seg", "-o ./a.seg: would be written twice");
   for (const char* arguments :
        {"a.off -k", "--frobnicate", "--mesh polyhedron", "a.off -k 2 --features some",
-        "a.off -k 2 --method magic", "a.off --method smooth-faces --tolerance wide",
+        "a.off -k 2 --method magic", "a.off --up w", "a.off --method smooth-faces --tolerance wide",
         "a.off --method smooth-faces --tolerance 1e999"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
@@ -339,21 +355,24 @@ TEST_F(Program, knows_wrong_usage_of_any_length)
 
 TEST_F(Program, helps)
 {
-  const Outcome help = run("--help"), version = run("--version"), nothing = run("");
+  const Outcome help = run("--help"), short_help = run("-h"), nothing = run(""),
+                version = run("--version");
   EXPECT_EQ(help.status, 0);
-  EXPECT_EQ(run("-h").out, help.out);
   EXPECT_NE(help.out.find("\nExamples:\n"), std::string::npos);
-  EXPECT_EQ(help.out.back(), '\n');
+  EXPECT_EQ(short_help.status, 0);
+  EXPECT_LE(std::count(short_help.out.begin(), short_help.out.end(), '\n'), 30);
+  const std::string last = "\nsegment_mesh --help lists all options.\n";
+  EXPECT_EQ(short_help.out.find(last), short_help.out.size() - last.size()) << short_help.out;
+  EXPECT_EQ(nothing.status, 0);
+  EXPECT_EQ(nothing.out, short_help.out);
+  EXPECT_EQ(nothing.err, "");
   EXPECT_EQ(version.status, 0);
   EXPECT_TRUE(std::regex_match(version.out, std::regex("segment_mesh [0-9.]+\n"))) << version.out;
-  EXPECT_EQ(nothing.status, 0);
-  EXPECT_EQ(nothing.err, "");
-  for (const std::string& text : {help.out, nothing.out}) {
+  for (const std::string& text : {help.out, short_help.out}) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
       EXPECT_LE(line.size(), 80u) << line;
   }
-  EXPECT_LT(std::count(nothing.out.begin(), nothing.out.end(), '\n'), 12);
 }
 
 TEST_F(Program, has_a_manual_page_of_the_same_options)
@@ -362,7 +381,7 @@ TEST_F(Program, has_a_manual_page_of_the_same_options)
   std::ifstream in(MAN_PAGE);
   const std::string page(std::istreambuf_iterator<char>(in), {});
   EXPECT_EQ(page.rfind(".TH SEGMENT_MESH 1 ", 0), 0u);
-  const std::regex option("\n  (?:-., )?(--[a-z-]+)");
+  const std::regex option("\n  (?:-.,)?(--[a-z-]+)");
   std::size_t number = 0;
   for (std::sregex_iterator i(help.out.begin(), help.out.end(), option);
        i != std::sregex_iterator(); ++i, ++number)
@@ -633,6 +652,13 @@ TEST_F(Program, draws_a_mesh_as_seen_from_a_place)
   expect_wrong_usage("a.off --view nan 0", "--view: an azimuth from -360 to 360 degrees");
   expect_wrong_usage("a.off --view 0 -91", "--view: an elevation from -90 to 90 degrees");
   EXPECT_EQ(run("a.off --view 0").status, 2);
+  EXPECT_EQ(picture("a.off --up y"), picture("a.off"));
+  EXPECT_NE(picture("a.off --up z"), picture("a.off"));
+  EXPECT_NE(picture("a.off --up -z --view 90 20"), picture("a.off --up z --view 90 20"));
+  // Width and height are the first numbers of a PNG file.
+  EXPECT_EQ(picture("a.off").substr(16, 8), std::string("\0\0\3\x20\0\0\2\x58", 8));
+  EXPECT_EQ(picture("a.off --size 260x1").substr(16, 8), std::string("\0\0\1\4\0\0\0\1", 8));
+  EXPECT_EQ(picture("a.off --size 7").substr(16, 8), std::string("\0\0\0\7\0\0\0\7", 8));
 }
 
 TEST_F(Program, tells_what_is_no_file)

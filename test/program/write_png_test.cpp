@@ -23,7 +23,7 @@ TEST(Write_png, is_one_of_three_channels)
 TEST(Write_png, an_image_without_pixels_is_refused)
 {
   std::ostringstream out;
-  EXPECT_THROW(write_png(Image(), out), std::runtime_error);
+  EXPECT_THROW(write_png(Image(0, 0, {}), out), std::runtime_error);
 }
 
 } // namespace write_png_test

@@ -64,7 +64,7 @@ protected:
   static inline Segmentation s_segmentation;
   static inline const Marks s_marks;
   static inline const Side_files s_side_files;
-  static inline const std::optional<Viewpoint> s_no_viewpoint;
+  static inline const View_options s_no_viewpoint;
   static inline std::unique_ptr<Segmentation_details> s_details;
   Temporary_folder m_folder;
 };
@@ -395,13 +395,6 @@ TEST(Segmentation_from_labels, numbers_them_in_their_order)
   const Segmentation s = segmentation_from_labels({7, -2, 7, 3});
   EXPECT_EQ(s.number_of_segments, 3u);
   EXPECT_EQ(s.segment_of_face, (std::vector<std::size_t>{2, 0, 2, 1}));
-}
-
-TEST(Segment_colors, differ)
-{
-  std::set<Color> colors;
-  for (std::size_t i = 0; i < 200; ++i)
-    EXPECT_TRUE(colors.insert(segment_color(i)).second) << i;
 }
 
 } // namespace write_segmentation_test

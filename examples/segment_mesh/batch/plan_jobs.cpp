@@ -205,11 +205,6 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model
     if (options.inputs.size() > 1)
       check_batch(file);
   }
-  const Segmentation_settings& settings = options.settings;
-  if (!options.is_demo && options.side_files.labels.empty() && !settings.number_of_segments &&
-      settings.method == Method::TWO_STEP)
-    throw Usage_error("--method two-step needs the number of segments: -k N");
-
   std::vector<Job> jobs;
   for (const std::string& input : options.inputs)
     jobs.push_back(make_job(input, stem_of_input(input), options));

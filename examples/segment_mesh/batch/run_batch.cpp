@@ -2,84 +2,221 @@
 
 #include "batch/run_batch.h"
 
-#include "batch/Progress_bar.h"
-#include "batch/Standard_output.h"
+#include "batch/Progress_line.h"
+#include "batch/scores.h"
+#include "demo/articulated_figure.h"
+#include "read/Text_scanner.h"
+#include "read/errors.h"
+#include "read/read_marks.h"
+#include "read/read_mesh.h"
+#include "write/write_segmentation.h"
+
+#include <CGAL/Region_segmentation/exceptions.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
 #include <iostream>
-#include <optional>
-#include <string>
-#include <system_error>
+#include <new>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
 
-/// The progress bar, if there is to be one.
-class Display
+/// What is to be said of a job, in whole lines.
+struct Job_report
 {
-public:
-  Display(Verbosity verbosity, std::size_t number_of_jobs)
-    : m_number_of_jobs(number_of_jobs)
-  {
+  Exit_status status = DONE;
+  std::string out, err; ///< for stdout and stderr
+};
+
+/// An input with what is known of it.
+struct Case
+{
+  Input_mesh mesh;
+  Marks marks;
+  std::vector<Truth> truths;
+  std::size_t true_number_of_segments = 0; // of the model
+};
+
+Case load(const Job& job, const Options& options)
+{
+  Case result;
+  if (job.is_model) {
+    Articulated_figure figure = make_articulated_figure();
+    result.truths.push_back({"true parts", std::move(figure.part_of_face)});
+    result.true_number_of_segments = figure.number_of_parts;
+    result.mesh.soup = std::move(figure.soup);
+  } else {
+    result.mesh = read_mesh(job.input, options.input_format);
+  }
+  result.marks = read_marks(job.side_files, result.mesh);
+  for (const std::string& truth : job.truths)
+    result.truths.push_back(
+      read_truth(truth, result.mesh.soup.polygons.size(), result.mesh.remarks));
+  return result;
+}
+
+/// The labels of a file, one for each of its faces, with a remark if they are not 0, 1, ..., and
+/// one on faces of no segment.
+Segmentation read_labels(const std::string& file, Input_mesh& mesh)
+{
+  std::vector<std::int64_t> labels = read_truth(file, mesh.soup.polygons.size(), mesh.remarks)
+                                       .labels;
+  Segmentation result = segmentation_from_labels(labels);
+  const auto none = std::remove(labels.begin(), labels.end(), std::int64_t(-1));
+  if (none != labels.end())
+    mesh.remarks.push_back(one_line(file) + ": " +
+                           counted(std::size_t(labels.end() - none), "face") +
+                           " of no segment: the label is -1");
+  labels.erase(none, labels.end());
+  const auto [least, greatest] = std::minmax_element(labels.begin(), labels.end());
+  if (!labels.empty() && (*least != 0 || *greatest != std::int64_t(result.number_of_segments) - 1))
+    mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " +
+                           std::to_string(*greatest) + " are numbered from 0 to " +
+                           std::to_string(result.number_of_segments - 1));
+  return result;
+}
+
+Segmentation segment(const Job& job, const Case& input, const Segmentation_settings& settings,
+                     const Progress_listener& listener)
+{
+  try {
+    return run_segmentation(input.mesh.soup, input.marks, settings, listener);
+  } catch (const CGAL::Region_segmentation::Invalid_input& error) {
+    throw Input_error(job.input, error.what());
+  }
+}
+
+/// Why there are `n` segments and not those that were wanted.
+std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& input,
+                              const Segmentation& segmentation,
+                              const Segmentation_settings& settings)
+{
+  const bool has_marks = !input.marks.constrained_edges.empty() ||
+                         !input.marks.seed_of_face.empty();
+  if (n > wanted && has_marks)
+    return "constraints and seeds give no fewer";
+  if (n > wanted)
+    return settings.links == Component_links::NONE ? "the mesh has " + counted(n, "connected piece")
+                                                   : "its parts are not adjacent";
+  if (settings.method == Method::TWO_STEP || settings.method == Method::SMOOTH_FACES)
+    return "growing gave " + counted(segmentation.number_of_regions, "region");
+  return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
+}
+
+/// `armadillo.off: 172974 faces, 812 regions, 9 segments, 0.214 s`
+std::string describe(const Job& job, const Case& input, const Segmentation& segmentation,
+                     const Segmentation_settings& settings)
+{
+  const std::size_t n = segmentation.number_of_segments;
+  const std::size_t wanted = settings.number_of_segments.value_or(n);
+  std::string segments = counted(n, "segment");
+  if (n != wanted)
+    segments += " of " + std::to_string(wanted) + " (" +
+                reason_for_number(n, wanted, input, segmentation, settings) + ")";
+  else if (segmentation.largest_number)
+    segments += " (the most that are chosen: there may be more parts, see -k)";
+  const std::string start = one_line(job.input) + ": " +
+                            counted(input.mesh.soup.polygons.size(), "face") + ", ";
+  if (!job.side_files.labels.empty())
+    return start + segments + "\n";
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
+  return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " +
+         seconds + "\n";
+}
+
+void write_outputs(const Job& job, const Result& result, Job_report& report)
+{
+  for (const Output& output : job.outputs) {
     try {
-      if (verbosity == Verbosity::NORMAL && is_terminal())
-        m_bar.emplace();
-    } catch (const std::system_error&) { // no thread for it
+      write_segmentation(output, result);
+    } catch (const Output_error& error) {
+      report.err += std::string(error.what()) + "\n";
+      report.status = FAILED;
     }
   }
+}
 
-  /// Of one mesh its stages, of several how many are done.
-  void show(std::size_t job, const char* stage, double fraction)
-  {
-    if (!m_bar)
-      return;
-    if (m_number_of_jobs == 1)
-      m_bar->show(stage, fraction);
-    else
-      m_bar->show(std::to_string(job) + "/" + std::to_string(m_number_of_jobs) + " files",
-                  double(job) / double(m_number_of_jobs));
+void run(const Job& job, const Options& options, const Progress_listener& listener,
+         Job_report& report)
+{
+  listener("reading", 0);
+  Case input = load(job, options);
+  Segmentation_settings settings = options.settings;
+  if (job.is_model && !settings.number_of_segments)
+    settings.number_of_segments = input.true_number_of_segments;
+  const Segmentation segmentation = job.side_files.labels.empty()
+                                      ? segment(job, input, settings, listener)
+                                      : read_labels(job.side_files.labels, input.mesh);
+  if (options.verbosity == Verbosity::NORMAL)
+    for (const std::string& remark : input.mesh.remarks)
+      report.err += remark + "\n";
+
+  const bool is_stdout_taken = std::any_of(job.outputs.begin(), job.outputs.end(),
+                                           [](const Output& output) { return output.is_stdout(); });
+  std::string& lines = is_stdout_taken ? report.err : report.out;
+  if (options.verbosity == Verbosity::NORMAL)
+    lines += describe(job, input, segmentation, settings);
+  if (options.verbosity == Verbosity::NORMAL || !job.truths.empty())
+    lines += describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
+  listener("writing", 0);
+  const Segmentation_details details(input.mesh.soup, settings, segmentation);
+  write_outputs(job,
+                {job.input, input.mesh, input.marks, settings, job.side_files, segmentation,
+                 details, options.view, options.coloring},
+                report);
+}
+
+/// Reads, segments and writes, whatever happens in it: the others of the batch are to be done, too.
+/// The listener hears of the stages, also of reading and writing.
+Job_report run_job(const Job& job, const Options& options, const Progress_listener& listener)
+{
+  Job_report report;
+  std::string failure;
+  try {
+    run(job, options, listener, report);
+    return report;
+  } catch (const Input_error& error) {
+    failure = error.what();
+  } catch (const std::bad_alloc&) {
+    failure = one_line(job.input) + ": not enough memory";
+  } catch (const std::exception& error) {
+    failure = one_line(job.input + ": " + error.what());
   }
-
-  void print(const Job_report& report)
-  {
-    const auto print_lines = [&] {
-      m_output.print(report.out);
-      std::cerr << report.err << std::flush;
-    };
-    if (m_bar)
-      m_bar->make_room(print_lines);
-    else
-      print_lines();
-  }
-
-  bool has_failed() const { return m_output.has_failed(); }
-
-private:
-  std::size_t m_number_of_jobs;
-  std::optional<Progress_bar> m_bar;
-  Standard_output m_output;
-};
+  report.err += failure + "\n";
+  report.status = FAILED;
+  return report;
+}
 
 } // namespace
 
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options)
 {
   Exit_status status = DONE;
-  bool has_failed = false;
-  {
-    Display display(options.verbosity, jobs.size());
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const Job_report report = run_job(jobs[i], options, [&](const char* stage, double fraction) {
-        display.show(i, stage, fraction);
-        return true;
-      });
-      display.print(report);
-      status = (std::max)(status, report.status);
-    }
-    has_failed = display.has_failed();
-  } // the bar is gone
-  if (!has_failed)
+  bool has_stdout_failed = false;
+  Progress_line progress(options.verbosity == Verbosity::NORMAL);
+  const std::string of_all = "/" + std::to_string(jobs.size()) + " files";
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto listener = [&](const char* stage, double fraction) {
+      if (jobs.size() == 1)
+        progress.show(stage, fraction);
+      else
+        progress.show(std::to_string(i) + of_all, double(i) / double(jobs.size()));
+      return true;
+    };
+    const Job_report report = run_job(jobs[i], options, listener);
+    progress.erase();
+    errno = 0;
+    if (std::cout && !(std::cout << report.out << std::flush))
+      has_stdout_failed = errno != EPIPE; // a reader that goes early, as `head`, is no failure
+    std::cerr << report.err << std::flush;
+    status = (std::max)(status, report.status);
+  }
+  if (!has_stdout_failed)
     return status;
   std::cerr << "segment_mesh: standard output cannot be written" << std::endl;
   return FAILED;

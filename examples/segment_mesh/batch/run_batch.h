@@ -4,14 +4,16 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_BATCH_H
 
 #include "batch/plan_jobs.h"
-#include "batch/run_job.h"
 
 #include <vector>
 
 namespace segment_mesh {
 
+enum Exit_status { DONE = 0, FAILED = 1, WRONG_USAGE = 2 };
+
 /// Runs the jobs one after the other, and prints the lines of each when it is done.
 /// \returns the worst status
+/// \pre SIGPIPE is ignored; else it ends the program
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options);
 
 } // namespace segment_mesh

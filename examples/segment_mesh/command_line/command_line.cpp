@@ -2,7 +2,6 @@
 
 #include "command_line/command_line.h"
 
-#include "command_line/format_help.h"
 #include "read/errors.h"
 #include "view/choose_viewpoint.h"
 
@@ -38,10 +37,13 @@ const std::map<std::string, Feature_convexity> features = {{"concave", Feature_c
 const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENTS},
                                                    {"kind", Coloring::KINDS}};
 
+const std::map<std::string, Up_direction> up_directions = {
+  {"x", {0, 1}}, {"y", {1, 1}}, {"z", {2, 1}}, {"-x", {0, -1}}, {"-y", {1, -1}}, {"-z", {2, -1}}};
+
 const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 
 /// More would be a slip of the hand.
-constexpr std::size_t most_threads = 1024;
+constexpr std::size_t most_threads = 1024, most_pixels = 16384;
 
 /// The options as CLI11 fills them.
 struct Raw_options
@@ -55,6 +57,7 @@ struct Raw_options
   std::string coloring = "segment";
   std::string input_format;
   std::pair<double, double> view; ///< azimuth and elevation, in degrees
+  std::string up = "y", size;
 };
 
 template <typename Value>
@@ -66,7 +69,7 @@ CLI::IsMember one_of(const std::map<std::string, Value>& names)
   return CLI::IsMember(list);
 }
 
-/// Adds options to one group of the help.
+/// Adds options to one group of the help. The first line of a text says enough for the short help.
 class Option_group
 {
 public:
@@ -79,7 +82,7 @@ public:
   CLI::Option* add(const char* names, Value& value, const char* type, const std::string& text) const
   {
     CLI::Option* const
-      option = m_app.add_option(names, value, text)->type_name(type)->group(m_name);
+      option = m_app.add_option(names, value, text)->option_text(type)->group(m_name);
     if (std::string_view(type).substr(0, 4) == "FILE") // a script's unset variable is no name
       option->check(CLI::Validator(
         [](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; },
@@ -107,60 +110,72 @@ private:
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
-  input.add("INPUT", raw.options.inputs, "",
-            "Meshes: " + endings_of_meshes() +
-              ", also compressed as .gz; - is standard input. Several inputs are processed one "
-              "after the other.");
+  input.add("INPUT", raw.options.inputs, " ", "Meshes: " + endings_of_meshes() + R"(.
+Also compressed as .gz; - is standard input. Several
+inputs are processed one after the other.)");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: the extension that they would "
-         "have, without the dot. Needed for standard input.")
+         R"(For all inputs, whatever their extensions: the
+extension that they would have, without the dot.
+Needed for standard input.)")
     ->check(one_of(formats));
-  input.add_flag(
-    "--demo",
-    "Instead of an INPUT: a figure that the program builds, of which it knows the parts. Their "
-    "number is the default of -k, and the score against them is printed.");
+  input.add_flag("--demo", R"(Instead of an INPUT: a figure that the program builds.
+It knows the parts: their number is the default of -k,
+and the score against them is printed.)");
   input.add("--labels", raw.options.side_files.labels, "FILE.seg",
-            "Instead of segmenting: take the segments from this file, a label for each face, to "
-            "draw, describe and compare them; faces of label -1 are of no segment. {stem} as in "
-            "-o.");
+            R"(Segments that exist, instead of segmenting.
+The file has a label for each face. They are drawn,
+described and compared; faces of label -1 are of no
+segment. {stem} as in -o.)");
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group output(app, "Output");
   output.add_repeatable("-o,--output", raw.outputs, "FILE",
-                        "Repeatable. {stem} in FILE is the name of the input. The file name "
-                        "extension selects the format: .html (a page to view "
-                        "and rotate the mesh, with every number of segments), .png (a picture), "
-                        ".ply, .off, .obj, .vtp (the mesh with its "
-                        "segments in colors or groups; .vtp is for ParaView; the faces of .obj are "
-                        "ordered by segment, and a .mtl beside it has the colors, unless it is "
-                        "a pipe), .glb, .3mf, .stl (a part "
-                        "for each segment, to be shown or printed), "
-                        ".seg (the label of each face on a line), .csv (a table: area, volume, "
-                        "shape ... of each segment), .json (all of it). "
-                        "With .gz after it a file is compressed. {segment} in FILE: a mesh for "
-                        "each segment. - is stdout. A file appears whole or not at all; stdout, a "
-                        "device or a pipe can be left half written.");
+                        R"(Repeatable: .html .png .ply .glb .seg .csv ...
+ {stem} in FILE is the name of the input. The file name
+ extension selects the format: .html (a page to view
+ and rotate the mesh, with every number of segments),
+ .png (a picture), .ply, .off, .obj, .vtp (the mesh
+ with its segments in colors or groups; .vtp is for
+ ParaView; the faces of .obj are ordered by segment, and
+ a .mtl beside it has the colors, unless it is a pipe),
+ .glb, .3mf, .stl (a part for each segment, to be shown
+ or printed), .seg (the label of each face on a line),
+ .csv (a table: area, volume, shape ... of each
+ segment), .json (all of it). With .gz after it a file
+ is compressed. {segment} in FILE: a mesh for each
+ segment. - is stdout. A file appears whole or not at
+ all; stdout, a device or a pipe can be left half
+ written.)");
   output.add_flag("--solids",
-                  "Each segment of a mesh that -o writes is a closed solid, to be printed: "
-                  "caps close its borders.");
+                  R"(Each segment of a mesh that -o writes is a closed
+ solid, to be printed: caps close its borders.)");
   output.add_repeatable("--borders", raw.borders, "FILE",
-                        "Repeatable. The borders between segments as polylines: .obj or .vtp.");
+                        R"(Repeatable. The borders between segments as
+polylines: .obj or .vtp.)");
+  output.add("--up", raw.up, "AXIS", R"(Of pictures and pages: x, y (default), z, -x, -y or -z.)")
+    ->check(one_of(up_directions));
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
-             "For .png: where the viewer stands, in degrees: around the y axis from the z axis, "
-             "and above. Default: where most "
-             "segments are seen.");
+             R"(Of pictures: where the viewer stands, in degrees:
+around the axis that is up (y: from z toward x, z: from
+x toward y, x: from y toward z), and above. Default:
+where most segments are seen.)");
+  output.add("--size", raw.size, "WIDTHxHEIGHT",
+             R"(Of pictures, in pixels, or N for NxN. Default: 800x600.)");
   output
     .add("--color", raw.coloring, "BY",
-         "For .png and .html: what colors tell apart: segment (default), or kind, of the surfaces "
-         "of --method smooth-faces: plane (blue), cylinder (red), cone (green), sphere (yellow), "
-         "torus (light blue), freeform (purple), several faces (grey).")
+         R"(Of pictures and pages, what colors tell apart: segment
+(default), or kind, of the surfaces of --method
+smooth-faces: plane (blue), cylinder (red), cone
+(green), sphere (yellow), torus (light blue), freeform
+(purple), several faces (grey).)")
     ->check(one_of(colorings));
   output
     .add("--output-format", raw.output_format, "FORMAT",
-         "For every -o, instead of what its extension selects: seg, ply, ...")
+         R"(For every -o, instead of what its extension selects:
+seg, ply, ...)")
     ->check(CLI::IsMember(output_format_names()));
 }
 
@@ -171,60 +186,127 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "Number of segments. Default: chosen automatically.");
   segmentation
     .add("--method", raw.method, "METHOD",
-         "learned (parts as people see them; default), visibility (the same by a formula), "
-         "smooth-faces (the faces of a "
-         "machine part), or two-step (Yang et al. 2014; needs -k).")
+         R"(learned, smooth-faces, visibility or two-step.
+learned (default): parts as people see them;
+smooth-faces: the faces of a machine part;
+visibility: parts by a formula;
+two-step: Yang et al. 2014; without -k all regions
+between the features.)")
     ->check(one_of(methods));
   segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
-                   "Edges that are borders between segments, whatever the method. A line of the "
-                   "file is a sequence of points "
-                   "of the mesh, consecutive ones joined by edges; points are given by index, "
-                   "starting from 0. {stem} as in -o.");
+                   R"(Edges that are borders between segments, whatever the
+method. A line of the file is a sequence of points of
+the mesh, consecutive ones joined by edges; points are
+given by index, starting from 0. {stem} as in -o.)");
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
-                   "Faces that belong together, and faces that do not. A line of the file is the "
-                   "index of a face and its "
-                   "seed, both starting from 0: equal seeds end in one segment, different ones in "
-                   "different segments. {stem} as "
-                   "in -o.");
-  segmentation.add_flag(
-    "--no-links",
-    "Components stay apart. Default: those that touch or are near each other are adjacent, and "
-    "-k counts parts, not components.");
-  segmentation.add_flag(
-    "--smooth-borders",
-    "Move the borders to where they are shorter and lie in valleys, by minimum cuts. "
-    "Segments of different numbers are no longer nested.");
+                   R"(Faces that belong together, and faces that do not. A
+line of the file is the index of a face and its seed,
+both starting from 0: equal seeds end in one segment,
+different ones in different segments. {stem} as in -o.)");
+  segmentation.add_flag("--no-links", R"(Components stay apart. Default: those that touch or
+are near each other are adjacent, and -k counts parts,
+not components.)");
+  segmentation.add_flag("--smooth-borders", R"(Move the borders to where they are shorter and lie in
+valleys, by minimum cuts. Segments of different numbers
+are no longer nested.)");
   segmentation
     .add("--features", raw.features, "KIND",
-         "For two-step: edges that can be features: concave (default), convex or all.")
+         R"(For two-step: edges that can be features: concave
+(default), convex or all.)")
     ->check(one_of(features));
   segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
-                   "For two-step: the angle between the normals of two faces above which their "
-                   "edge is a feature. Default: "
-                   "1.2372.");
+                   R"(For two-step: the angle between the normals of two
+faces above which their edge is a feature.
+Default: 1.2372.)");
   segmentation.add("--tolerance", raw.tolerance, "DISTANCE",
-                   "For smooth-faces: the largest distance of a vertex from the surface of its "
-                   "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
-                   "found from the mesh.");
+                   R"(For smooth-faces: the largest distance of a vertex from
+the surface of its face, in units of the mesh; for a
+scan, some times its noise. Default: 0, found from the
+mesh.)");
 }
 
 void add_run_options(CLI::App& app, Raw_options& raw)
 {
   Option_group(app, "Comparison")
     .add_repeatable("--truth", raw.options.truths, "FILE.seg",
-                    "Repeatable. {stem} as in -o. Print five measures of the distance to this "
-                    "segmentation, and their means.");
+                    R"(Print the distance to this segmentation.
+Repeatable. {stem} as in -o. There are five measures,
+and their means if there are several files.)");
   const Option_group run(app, "Run");
   run
     .add("--threads", raw.number_of_threads, "N",
          "Most threads for a mesh. Default: 0, one for each core.")
     ->take_last();
-  run.add_flag("-q,--quiet", "No progress and remarks on stderr.");
-  app.set_help_flag("-h,--help", "Print this and exit.")->group("Run");
+  run.add_flag("-q,--quiet", R"(No progress and remarks, and no line for a mesh.)");
+  app.set_help_flag("-h", "Print the options that are used most, and exit.")->group("Run");
+  app.set_help_all_flag("--help", "Print all options, and exit.")->group("Run");
   app
     .set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
-                      "Print the version and exit.")
+                      "Print the version, and exit.")
     ->group("Run");
+}
+
+constexpr const char* summary = "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION
+                                " segments surface meshes into parts.";
+
+constexpr const char* short_footer = R"(Examples:
+  segment_mesh mesh.off                     says how many parts it sees
+  segment_mesh mesh.off -o mesh.html        a page to view them in a browser
+  segment_mesh mesh.off -k 9 -o parts.ply   nine parts, in colors
+  segment_mesh --demo -o demo.png           a picture of a model of its own
+
+segment_mesh --help lists all options.)";
+
+constexpr const char* long_summary =
+  R"(Segments surface meshes into parts, and prints a line for each: its faces, the
+regions that were merged, the segments, and the time from the mesh in memory to
+the labels. Meshes need not be manifold, oriented or connected; labels come back
+for each face of the file. Output files are written completely or not at all.
+)";
+
+constexpr const char* long_footer = R"(Examples:
+  segment_mesh armadillo.off -o armadillo.html
+      A page to view and rotate the parts, and to change their number.
+  segment_mesh armadillo.off -k 9 -o armadillo.seg -o parts.ply
+      Nine parts: labels, and the mesh in colors.
+  segment_mesh gear.stl --method smooth-faces -o 'gear_{segment}.obj'
+      A file for each face of a machine part.
+  segment_mesh *.off -k 7 -o 'parts/{stem}.vtp' --quiet
+      A batch, for ParaView.
+  segment_mesh a.off --labels a.seg --truth b.seg -o a.csv
+      Compare and describe existing segments.
+  segment_mesh a.off -q -o - --output-format csv | sort
+      A table on stdout.
+
+Exit status:
+  0  done
+  1  an input could not be read, or an output could not be written; the others
+     of a batch are done
+  2  wrong usage)";
+
+/// The help on the options that people need first, a line for each.
+std::string short_help(CLI::App& app)
+{
+  const std::string first[] = {"INPUT",    "--demo",   "--labels", "--segments",
+                               "--method", "--output", "--truth",  "--up",
+                               "--size",   "--quiet",  "-h",       "--help"};
+  for (CLI::Option* option : app.get_options())
+    option->group("");
+  for (const std::string& name : first) {
+    CLI::Option* const option = app.get_option(name);
+    const std::string text = option->get_description();
+    option->description(text.substr(0, text.find('\n')))->group("Options");
+  }
+  app.description(summary);
+  app.footer(short_footer);
+  return app.help();
+}
+
+std::string long_help(CLI::App& app)
+{
+  app.description(long_summary);
+  app.footer(long_footer);
+  return app.help();
 }
 
 struct Range
@@ -245,13 +327,30 @@ std::size_t whole_number(const std::string& option, const std::string& word, con
 }
 
 /// \throws Usage_error unless both angles are within their ranges, in degrees
-Viewpoint checked_viewpoint(double azimuth, double elevation)
+Viewpoint checked_viewpoint(double azimuth, double elevation, const Up_direction& up)
 {
   if (!(azimuth >= -360 && azimuth <= 360))
     throw Usage_error("--view: an azimuth from -360 to 360 degrees");
   if (!(elevation >= -90 && elevation <= 90))
     throw Usage_error("--view: an elevation from -90 to 90 degrees");
-  return viewpoint_from(azimuth, elevation);
+  return viewpoint_from(azimuth, elevation, up);
+}
+
+/// The options of pictures. \throws Usage_error unless sizes and angles are within their ranges
+View_options checked_view(const CLI::App& app, const Raw_options& raw)
+{
+  View_options view;
+  view.up = up_directions.at(raw.up);
+  if (app.count("--view") > 0)
+    view.viewpoint = checked_viewpoint(raw.view.first, raw.view.second, view.up);
+  if (app.count("--size") > 0) {
+    const std::size_t x = raw.size.find('x');
+    const Range pixels = {1, most_pixels};
+    view.width = whole_number("--size", raw.size.substr(0, x), pixels);
+    view.height = x == std::string::npos ? view.width
+                                         : whole_number("--size", raw.size.substr(x + 1), pixels);
+  }
+  return view;
 }
 
 /// \throws Usage_error if an option is given that another one makes meaningless
@@ -324,8 +423,7 @@ Options checked(const CLI::App& app, const Raw_options& raw)
                                                                : Border_treatment::NONE;
   options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE
                                                        : Component_links::FOUND;
-  if (app.count("--view") > 0)
-    options.viewpoint = checked_viewpoint(raw.view.first, raw.view.second);
+  options.view = checked_view(app, raw);
   options.coloring = colorings.at(raw.coloring);
   options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;
@@ -335,22 +433,27 @@ Options checked(const CLI::App& app, const Raw_options& raw)
 
 std::optional<Options> parse_command_line(int argc, const char* const* argv)
 {
-  if (argc <= 1) {
-    std::cout << short_help();
-    return std::nullopt;
-  }
   CLI::App app("", "segment_mesh");
   Raw_options raw;
   add_inputs(app, raw);
   add_segmentation(app, raw);
   add_outputs(app, raw);
   add_run_options(app, raw);
-  app.formatter_fn(
-    [](const CLI::App* a, const std::string&, CLI::AppFormatMode) { return format_help(*a); });
+  app.get_formatter()->column_width(25);
+  if (argc <= 1) {
+    std::cout << short_help(app);
+    return std::nullopt;
+  }
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    app.exit(success, std::cout, std::cerr);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << short_help(app);
+    return std::nullopt;
+  } catch (const CLI::CallForAllHelp&) {
+    std::cout << long_help(app);
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << "\n";
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw Usage_error(error.what());

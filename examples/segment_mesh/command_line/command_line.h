@@ -3,14 +3,14 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_COMMAND_LINE_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_COMMAND_LINE_H
 
-#include "batch/Options.h"
+#include "batch/plan_jobs.h"
 
 #include <optional>
 
 namespace segment_mesh {
 
-/// Parses the command line. Empty where that is done with a text that it prints: help, the version,
-/// the manual page. \throws Usage_error
+/// Parses the command line. Empty where that is done with a text that it prints: help, the version.
+/// \throws Usage_error
 std::optional<Options> parse_command_line(int argc, const char* const* argv);
 
 } // namespace segment_mesh

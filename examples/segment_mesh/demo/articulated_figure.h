@@ -20,7 +20,7 @@ struct Articulated_figure
   std::size_t number_of_parts = 0;
 };
 
-/// A figure of ten parts: trunk, head, and two parts for each arm and leg.
+/// A figure of ten parts: trunk, head, and two parts for each arm and leg. It stands: y is up.
 Articulated_figure make_articulated_figure();
 
 } // namespace segment_mesh

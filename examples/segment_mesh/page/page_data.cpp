@@ -155,7 +155,8 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
   const Segmentation& segmentation = content.segmentation;
   const std::size_t greatest = (std::min)(
     segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
-  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face);
+  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face,
+                                               content.up);
   return {{"name", content.name},
           {"segments", segmentation.number_of_segments},
           {"regions", segmentation.number_of_regions},

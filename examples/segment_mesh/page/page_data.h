@@ -6,6 +6,7 @@
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
 #include "soup/Polygon_soup.h"
+#include "view/Viewpoint.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@ struct Page_content
   const Segmentation& segmentation;
   const Segmentation_details& details;
   Coloring coloring = Coloring::SEGMENTS; ///< at first
+  Up_direction up = {};                   ///< at first
 };
 
 /// The same as the scripts of a page read it (`read_arrays.js`).

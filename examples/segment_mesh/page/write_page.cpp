@@ -2,9 +2,10 @@
 
 #include "page/write_page.h"
 
-#include "page/base64.h"
-#include "page/embedded_texts.h"
+#ifdef SEGMENT_MESH_HAS_PAGES
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
@@ -14,7 +15,36 @@
 
 namespace segment_mesh {
 
+/// \name The parts of a page: files of this folder, and of three.js
+/// @{
+namespace embedded {
+extern const char* const page_html;
+extern const char* const page_css;
+extern const char* const mesh_view_js;
+extern const char* const merge_tree_js;
+extern const char* const page_js;
+extern const char* const read_arrays_js;
+extern const char* const show_saved_js;
+extern const char* const three_js;
+extern const char* const controls_js;
+} // namespace embedded
+/// @}
+
 namespace {
+
+/// Bytes in the standard alphabet with padding (RFC 4648, section 4).
+std::string base64(const std::string& bytes)
+{
+  namespace iterators = boost::archive::iterators;
+  using Encoder = iterators::base64_from_binary<
+    iterators::transform_width<std::string::const_iterator, 6, 8>>;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  std::string padded = bytes;
+  padded.append(padding, '\0'); // transform_width would read beyond the end
+  std::string text(Encoder(padded.cbegin()), Encoder(padded.cend()));
+  text.replace(text.size() - padding, padding, padding, '=');
+  return text;
+}
 
 std::string compressed(const std::string& bytes)
 {
@@ -75,3 +105,18 @@ void write_page(std::ostream& out, const Page_content& content)
 }
 
 } // namespace segment_mesh
+
+#else // built without three.js
+
+namespace segment_mesh {
+
+bool can_write_pages()
+{
+  return false;
+}
+
+void write_page(std::ostream&, const Page_content&) {}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_HAS_PAGES

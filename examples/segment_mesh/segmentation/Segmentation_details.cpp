@@ -2,12 +2,12 @@
 
 #include "segmentation/Segmentation_details.h"
 
-#include "segmentation/Machine_part.h"
 #include "segmentation/Manifold.h"
 
-#include <CGAL/number_type_config.h>
-
 #include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -121,6 +122,79 @@ struct Segmentation_details::Region_graph
   std::vector<std::size_t> region_of_vertex;
 };
 
+/// A mesh with its faces as the method smooth-faces finds them. Labels are of the faces of the
+/// mesh.
+class Segmentation_details::Machine_part
+{
+public:
+  /// `tolerance`: that of the method, in units of the mesh; 0: found from the mesh
+  Machine_part(RS::Surface surface, double tolerance);
+
+  /// Of each label that is of one face, or of a piece of it, alone.
+  std::map<std::size_t, Surface_face> faces(const std::vector<std::size_t>& labels) const;
+
+  /// The labels that each label meets smoothly. \pre labels are numbered from 0 to n - 1
+  std::vector<std::vector<std::size_t>> smooth_neighbors(const std::vector<std::size_t>& labels,
+                                                         std::size_t n) const;
+
+private:
+  RS::Surface m_surface;
+  RS::Surface_faces m_faces;
+  std::vector<RS::Partition::Index> m_common_surfaces, m_common_axes;
+};
+
+Segmentation_details::Machine_part::Machine_part(RS::Surface surface, double tolerance)
+  : m_surface(std::move(surface))
+  , m_faces(RS::find_surface_faces(m_surface, tolerance))
+  , m_common_surfaces(RS::find_common_surfaces(m_surface, m_faces))
+  , m_common_axes(RS::find_common_axes(m_faces))
+{}
+
+std::map<std::size_t, Surface_face>
+Segmentation_details::Machine_part::faces(const std::vector<std::size_t>& labels) const
+{
+  constexpr std::size_t several = (std::numeric_limits<std::size_t>::max)();
+  std::map<std::size_t, std::size_t> parts; // by label
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    std::size_t& part = parts.emplace(labels[f], m_faces.partition[f]).first->second;
+    if (part != m_faces.partition[f])
+      part = several;
+  }
+  std::map<std::size_t, Surface_face> result;
+  std::map<std::size_t, std::size_t> labels_of_surfaces, labels_of_axes;
+  for (const auto& [label, part] : parts)
+    if (part != several)
+      result[label] = {RS::scaled<Kernel>(m_faces.surfaces[part], m_surface.unit()),
+                       m_faces.roles[part],
+                       labels_of_surfaces.emplace(m_common_surfaces[part], label).first->second,
+                       labels_of_axes.emplace(m_common_axes[part], label).first->second};
+  return result;
+}
+
+std::vector<std::vector<std::size_t>>
+Segmentation_details::Machine_part::smooth_neighbors(const std::vector<std::size_t>& labels,
+                                                     std::size_t n) const
+{
+  const RS::Partition segments = RS::Partition::from_labels(labels);
+  std::vector<std::size_t> label_of_vertex(segments.number_of_parts());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    label_of_vertex[segments[f]] = labels[f];
+  auto graph = RS::build_region_adjacency_graph<RS::Surface_face_region_data,
+                                                RS::Surface_face_section_data>(m_surface, segments);
+  RS::annotate_surface_faces(graph, m_surface, segments, m_faces);
+  std::vector<std::vector<std::size_t>> result(n);
+  for (auto range = edges(graph); range.first != range.second; ++range.first) {
+    const auto section = *range.first;
+    if (!graph[section].is_smooth())
+      continue;
+    const std::size_t a = label_of_vertex[source(section, graph)],
+                      b = label_of_vertex[target(section, graph)];
+    result[a].push_back(b);
+    result[b].push_back(a);
+  }
+  return result;
+}
+
 Segmentation_details::Segmentation_details(const Polygon_soup& soup,
                                            const Segmentation_settings& settings,
                                            const Segmentation& segmentation)
@@ -138,7 +212,7 @@ const Manifold& Segmentation_details::manifold() const
   return *m_manifold;
 }
 
-const Machine_part* Segmentation_details::machine_part() const
+const Segmentation_details::Machine_part* Segmentation_details::machine_part() const
 {
   if (!m_machine_part && m_settings.method == Method::SMOOTH_FACES)
     m_machine_part = std::make_unique<const Machine_part>(surface_of(m_soup, m_settings),

@@ -19,7 +19,6 @@
 
 namespace segment_mesh {
 
-class Machine_part;
 struct Manifold;
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -116,6 +115,7 @@ public:
   std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;
 
 private:
+  class Machine_part;
   struct Region_graph;
 
   const Manifold& manifold() const;

@@ -4,10 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
 
 #include "segmentation/Marks.h"
-#include "segmentation/Segmentation_settings.h"
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/detect_feature_edges.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +17,28 @@
 #include <vector>
 
 namespace segment_mesh {
+
+enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
+
+/// What becomes of the borders that a method gives.
+enum class Border_treatment { NONE, SMOOTHING };
+
+/// Whether components that touch or are near each other are adjacent.
+enum class Component_links { NONE, FOUND };
+
+struct Segmentation_settings
+{
+  Method method = Method::LEARNED;
+  std::optional<std::size_t> number_of_segments; ///< if empty, the method chooses; `TWO_STEP`
+                                                 ///< gives all regions between the features
+  /// Which edges can be features, of a method that has them.
+  CGAL::Region_segmentation::Feature_convexity
+    features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
+  std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
+  double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
+  Border_treatment borders = Border_treatment::NONE;
+  Component_links links = Component_links::FOUND;
+};
 
 struct Stage_time
 {
@@ -53,7 +75,6 @@ struct Segmentation
 using Progress_listener = std::function<bool(const char* stage, double fraction)>;
 
 /// Segments a soup.
-/// \pre a number of segments is given or can be chosen
 Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
                               const Segmentation_settings& settings,
                               const Progress_listener& listener);

@@ -2,6 +2,8 @@
 
 #include "view/Sample_buffer.h"
 
+#include "soup/vector_algebra.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,10 +24,8 @@ std::size_t first_sample(double coordinate, std::size_t size)
 Sample_buffer::Sample_buffer(std::size_t width, std::size_t height)
   : m_width(width)
   , m_height(height)
-  , m_blocks_of_row((width + samples_of_block - 1) / samples_of_block)
   , m_faces(width * height, Index(no_face))
   , m_depths(width * height, std::numeric_limits<float>::infinity())
-  , m_farthest(m_blocks_of_row * height, std::numeric_limits<float>::infinity())
   , m_lights(width * height)
 {}
 
@@ -65,41 +65,49 @@ void Sample_buffer::find_crossings(const std::vector<Corner>& corners, double y)
 
 void Sample_buffer::draw_span(const Crossing& from, const Crossing& to, std::size_t row, Index face)
 {
-  constexpr std::size_t worth_a_bound = 16; // samples: finding the bound of a block takes a while
   const std::size_t end = first_sample(to.x, m_width);
   const double step = to.x > from.x ? 1 / (to.x - from.x) : 0;
-  const auto position = [&](std::size_t column) { return (double(column) + 0.5 - from.x) * step; };
-  const auto depth_at = [&](double t) { return float(from.depth + t * (to.depth - from.depth)); };
-  for (std::size_t column = first_sample(from.x, m_width); column < end;) {
-    const std::size_t block = column / samples_of_block, first = column;
-    const std::size_t last = (std::min)(end, (block + 1) * samples_of_block);
-    // Depths rise or fall along a span, also when they are rounded.
-    const float nearest = (std::min)(depth_at(position(first)), depth_at(position(last - 1)));
-    if (nearest > m_farthest[row * m_blocks_of_row + block]) {
-      column = last;
-      continue;
+  for (std::size_t column = first_sample(from.x, m_width); column < end; ++column) {
+    const double t = (double(column) + 0.5 - from.x) * step;
+    const float depth = float(from.depth + t * (to.depth - from.depth));
+    const std::size_t sample = row * m_width + column;
+    if (depth < m_depths[sample] || (depth == m_depths[sample] && face < m_faces[sample])) {
+      m_depths[sample] = depth;
+      m_lights[sample] = float(from.light + t * (to.light - from.light));
+      m_faces[sample] = face;
     }
-    for (; column < last; ++column) {
-      const double t = position(column);
-      const float depth = depth_at(t);
-      const std::size_t sample = row * m_width + column;
-      if (depth < m_depths[sample] || (depth == m_depths[sample] && face < m_faces[sample])) {
-        m_depths[sample] = depth;
-        m_lights[sample] = float(from.light + t * (to.light - from.light));
-        m_faces[sample] = face;
-      }
-    }
-    if (last - first >= worth_a_bound)
-      bound_block(row, block);
   }
 }
 
-void Sample_buffer::bound_block(std::size_t row, std::size_t block)
+Projection::Projection(const Scene& scene, const Viewpoint& viewpoint, double width, double height,
+                       double margin)
+  : Projection(viewpoint, width, height, 1)
 {
-  const auto begin = m_depths.begin() + std::ptrdiff_t(row * m_width + block * samples_of_block);
-  const std::size_t size = (std::min)(m_width - block * samples_of_block, samples_of_block);
-  m_farthest[row * m_blocks_of_row + block] = *std::max_element(begin,
-                                                                begin + std::ptrdiff_t(size));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low_x = infinity, low_y = infinity, high_x = -infinity, high_y = -infinity;
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    if (!scene.is_used[i])
+      continue;
+    const double x = inner_product(scene.points[i], viewpoint.right);
+    const double y = -inner_product(scene.points[i], viewpoint.up);
+    low_x = (std::min)(low_x, x);
+    low_y = (std::min)(low_y, y);
+    high_x = (std::max)(high_x, x);
+    high_y = (std::max)(high_y, y);
+  }
+  if (!(high_x > low_x) && !(high_y > low_y)) // nothing, or a point
+    return;
+  const double room = 1 - 2 * margin;
+  m_scale = room * (std::min)(width / (high_x - low_x), height / (high_y - low_y));
+  m_offset_x = width / 2 - m_scale * (low_x + high_x) / 2;
+  m_offset_y = height / 2 - m_scale * (low_y + high_y) / 2;
+}
+
+Screen_point Projection::operator()(const Point& p) const
+{
+  return {m_offset_x + m_scale * inner_product(p, m_viewpoint.right),
+          m_offset_y - m_scale * inner_product(p, m_viewpoint.up),
+          -inner_product(p, m_viewpoint.toward_viewer)};
 }
 
 } // namespace segment_mesh

@@ -75,7 +75,7 @@ void take_points(const Polygon_soup& soup, Scene& scene)
     p = radius > 0 ? times(1 / radius, p) : p;
 }
 
-/// Twice the area, along the normal: by Newell's formula, relative to the first corner.
+/// By Newell's formula, relative to the first corner.
 Point area_vector(const Scene& scene, std::size_t face)
 {
   const Scene::Index first = scene.first_corners[face], end = scene.first_corners[face + 1];
@@ -95,12 +95,8 @@ Scene make_scene(const Polygon_soup& soup, const std::vector<std::size_t>& label
   Scene scene;
   take_faces(soup, labels, scene);
   take_points(soup, scene);
-  scene.normals.reserve(scene.number_of_faces());
-  for (std::size_t f = 0; f < scene.number_of_faces(); ++f) {
-    const Point vector = area_vector(scene, f);
-    scene.normals.push_back(unit_vector(vector));
-    scene.area += std::sqrt(inner_product(vector, vector)) / 2;
-  }
+  for (std::size_t f = 0; f < scene.number_of_faces(); ++f)
+    scene.area_vectors.push_back(area_vector(scene, f));
   return scene;
 }
 

@@ -21,9 +21,8 @@ struct Scene
   std::vector<Index> first_corners; ///< of each face, and the end of the last one
   std::vector<Index> corners;       ///< indices of points, the same as in the soup
   std::vector<std::size_t> labels;  ///< of each face
-  std::vector<Point> normals;       ///< of each face: of unit length, or zero
+  std::vector<Point> area_vectors;  ///< of each face: along its normal, as long as twice its area
   std::vector<char> is_used;        ///< for each point: a face has it
-  double area = 0;                  ///< of all faces; that of the unit ball is 12.6
 
   std::size_t number_of_faces() const { return labels.size(); }
 };

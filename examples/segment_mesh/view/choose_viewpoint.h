@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_CHOOSE_VIEWPOINT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_CHOOSE_VIEWPOINT_H
 
-#include "soup/Polygon_soup.h"
 #include "view/Scene.h"
 #include "view/Viewpoint.h"
 
@@ -12,20 +11,21 @@
 
 namespace segment_mesh {
 
-/// The viewpoint, of a fixed set of them, that shows the most: it has the largest sum over the
+/// The one of `candidate_viewpoints()` that shows the most: it has the largest sum over the
 /// segments of the root of the visible area, so that many segments count more than a large one. The
-/// same for the same input. See `candidate_viewpoints()`.
-Viewpoint choose_viewpoint(const Scene& scene);
-Viewpoint choose_viewpoint(const Polygon_soup& soup, const std::vector<std::size_t>& labels);
+/// same for the same input.
+Viewpoint choose_viewpoint(const Scene& scene, const Up_direction& up = {});
+Viewpoint choose_viewpoint(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
+                           const Up_direction& up = {});
 
-/// The viewer stands at `azimuth` around the y axis, from the z toward the x axis, and at
-/// `elevation` above; in degrees.
-Viewpoint viewpoint_from(double azimuth, double elevation);
+/// The viewer stands at `azimuth` around the axis that is up, in degrees from the axis that follows
+/// it, in the cyclic order x, y, z, toward the other one, and at `elevation` above. Where y is up,
+/// the azimuth is measured from the z toward the x axis.
+Viewpoint viewpoint_from(double azimuth, double elevation, const Up_direction& up = {});
 
-/// Twelve directions round the object, from 15 and from 40 degrees above. Up is the y axis of the
-/// file, as in most formats and in the Princeton benchmark: principal axes do not tell what stands
-/// (a person) from what lies (a fish).
-std::vector<Viewpoint> candidate_viewpoints();
+/// Twelve directions round the object, from 15 and from 40 degrees above. What is up is given:
+/// principal axes do not tell what stands (a person) from what lies (a fish).
+std::vector<Viewpoint> candidate_viewpoints(const Up_direction& up = {});
 
 } // namespace segment_mesh
 

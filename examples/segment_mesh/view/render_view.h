@@ -4,14 +4,33 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RENDER_VIEW_H
 
 #include "soup/Polygon_soup.h"
-#include "view/Image.h"
 #include "view/Viewpoint.h"
+#include "view/segment_colors.h"
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace segment_mesh {
+
+/// Pixels in rows from the top.
+struct Image
+{
+  std::size_t width, height;
+  std::vector<Color> pixels;
+
+  Image(std::size_t width, std::size_t height, const Color& color)
+    : width(width)
+    , height(height)
+    , pixels(width * height, color)
+  {}
+
+  const Color& at(std::size_t column, std::size_t row) const
+  {
+    return pixels[row * width + column];
+  }
+  Color& at(std::size_t column, std::size_t row) { return pixels[row * width + column]; }
+};
 
 /// The edges of lines of points.
 std::vector<Vertex_pair> edges_of_lines(const std::vector<std::vector<std::size_t>>& lines);
@@ -21,6 +40,7 @@ struct View_options
   std::size_t width = 800, height = 600; ///< in pixels
   std::size_t samples = 2; ///< a side of a pixel, so that lines and outlines are smooth
   Color background = {255, 255, 255};
+  Up_direction up;
   std::optional<Viewpoint> viewpoint;    ///< by `choose_viewpoint()` if empty
   std::vector<Vertex_pair> marked_edges; ///< drawn darker than borders
   std::vector<std::size_t> colors;       ///< numbers by label; if empty, the labels

@@ -33,14 +33,13 @@ enum class Coloring { SEGMENTS, KINDS };
 constexpr std::size_t color_of_no_kind = 9;
 
 /// The color of a segment, dark grey for faces of none, the same in every output and on every
-/// machine. The first twelve are far apart also for most color-blind eyes (Paul Tol's and Okabe and
-/// Ito's hues, by alternating lightness); further ones step round the hues by the golden ratio, so
-/// that no two are equal.
+/// machine. Of the first twelve any two differ by at least 32 in CIELAB; further ones step round
+/// the hues by the golden ratio.
 inline Color segment_color(std::size_t segment)
 {
-  constexpr Color first[] = {{68, 119, 170},  {238, 102, 119}, {34, 136, 51}, {204, 187, 68},
-                             {102, 204, 238}, {170, 51, 119},  {230, 159, 0}, {153, 221, 155},
-                             {136, 34, 85},   {187, 187, 187}, {51, 34, 136}, {255, 170, 187}};
+  constexpr Color first[] = {{68, 119, 170},  {238, 102, 119}, {34, 136, 51},   {204, 187, 68},
+                             {102, 204, 238}, {170, 51, 119},  {170, 136, 255}, {170, 102, 0},
+                             {170, 238, 136}, {187, 187, 187}, {0, 68, 170},    {255, 204, 255}};
   if (segment == std::size_t(-1))
     return {96, 96, 96};
   constexpr std::size_t number_of_first = std::size(first);

@@ -3,8 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PNG_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_PNG_H
 
-#include "soup/Polygon_soup.h"
-#include "view/Image.h"
 #include "view/render_view.h"
 
 #include <cstddef>
@@ -13,9 +11,9 @@
 
 namespace segment_mesh {
 
-/// Writes an image by libpng; with a palette, and so in a third of the bytes, if it has at most 256
-/// colors. No time and no name of a program is in it: the same bytes for the same image.
-/// \throws std::runtime_error for an image without pixels, or if libpng fails; a failure to write
+/// Writes an image by libpng. No time and no name of a program is in it: the same bytes for the
+/// same image. \throws std::runtime_error for an image without pixels, or if libpng fails; a
+/// failure to write
 ///         sets the state of `out`
 void write_png(const Image& image, std::ostream& out);
 

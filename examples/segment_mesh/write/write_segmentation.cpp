@@ -186,8 +186,7 @@ void write_seg(std::ostream& out, const Result& result)
 
 void write_view(std::ostream& out, const Result& result)
 {
-  View_options options;
-  options.viewpoint = result.viewpoint;
+  View_options options = result.view;
   options.colors = result.details.colors(result.coloring, result.segmentation.segment_of_face,
                                          result.segmentation.number_of_segments);
   options.marked_edges = lines_of_marks(result.marks, result.input);
@@ -197,8 +196,8 @@ void write_view(std::ostream& out, const Result& result)
 
 void write_html(std::ostream& out, const Result& result)
 {
-  write_page(
-    out, {result.name, result.input.soup, result.segmentation, result.details, result.coloring});
+  write_page(out, {result.name, result.input.soup, result.segmentation, result.details,
+                   result.coloring, result.view.up});
 }
 
 } // namespace segment_mesh

@@ -7,11 +7,10 @@
 #include "read/read_mesh.h"
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
-#include "view/Viewpoint.h"
+#include "view/render_view.h"
 
 #include <cstddef>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,8 @@ struct Result
   const Side_files& side_files;
   const Segmentation& segmentation;
   const Segmentation_details& details;
-  const std::optional<Viewpoint>& viewpoint; ///< of a picture
-  Coloring coloring = Coloring::SEGMENTS;    ///< of a picture or page
+  const View_options& view;               ///< of a picture; what is up also of a page
+  Coloring coloring = Coloring::SEGMENTS; ///< of a picture or page
 };
 
 /// Writes a result in the format of `output`, or each of its segments. Faces come in the order of

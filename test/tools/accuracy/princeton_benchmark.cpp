@@ -13,7 +13,7 @@
 #include "write_csv.h"
 #include "write_report.h"
 
-#include "batch/Progress_bar.h"
+#include "batch/Progress_line.h"
 #include "write/Whole_file.h"
 #include "read/errors.h"
 
@@ -40,13 +40,10 @@ Model_scorer make_scorer(const Benchmark_options& options)
 std::vector<Model_result> run_with_progress(const std::vector<Model_source>& sources,
                                             const Model_scorer& score, std::size_t threads)
 {
-  std::optional<segment_mesh::Progress_bar> bar;
-  if (segment_mesh::is_terminal())
-    bar.emplace();
+  segment_mesh::Progress_line line(true);
   const auto show = [&](std::size_t done) {
-    const std::string words = std::to_string(done) + " of " + counted(sources.size(), "model");
-    if (bar)
-      bar->show(words.c_str(), double(done) / double(sources.size()));
+    line.show(std::to_string(done) + " of " + counted(sources.size(), "model"),
+              double(done) / double(sources.size()));
   };
   return run_benchmark(sources, score, threads, show);
 }
