@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PLAN_JOBS_H
 
 #include "read/Mesh_format.h"
-#include "read/Side_files.h"
+#include "read/read_mesh.h"
 #include "segmentation/run_segmentation.h"
 #include "view/render_view.h"
 #include "view/segment_colors.h"
