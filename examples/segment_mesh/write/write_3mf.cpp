@@ -7,8 +7,7 @@
 #include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
-#include <archive.h>
-#include <archive_entry.h>
+#include <zip.h>
 
 #include <memory>
 #include <ostream>
@@ -25,35 +24,34 @@ namespace {
 /// A file of a ZIP archive: its name and its content.
 using Entry = std::pair<std::string, std::string>;
 
-/// Appends to the `std::string` that `text` points to.
-la_ssize_t append(archive*, void* text, const void* bytes, std::size_t size)
-{
-  static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), size);
-  return la_ssize_t(size);
-}
-
 std::string zip_archive(const std::vector<Entry>& entries)
 {
-  std::string result;
-  const std::unique_ptr<archive, int (*)(archive*)> zip(archive_write_new(), archive_write_free);
-  const auto check = [&zip](long code) {
-    if (code < 0)
-      throw std::runtime_error(archive_error_string(zip.get()));
-  };
-  check(archive_write_set_format_zip(zip.get()));
-  check(archive_write_open(zip.get(), &result, nullptr, append, nullptr));
+  zip_error_t error;
+  zip_source_t* memory = zip_source_buffer_create(nullptr, 0, 0, &error);
+  zip_t* zip = memory ? zip_open_from_source(memory, ZIP_TRUNCATE, &error) : nullptr;
+  if (!zip)
+    throw std::runtime_error("a ZIP archive cannot be made");
+  zip_source_keep(memory); // after the end of the archive, too
+  const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> keeper(memory, zip_source_free);
+  constexpr zip_uint16_t first_date = 0x21; // in 1980, so that equal meshes give equal files
+  bool is_done = true;
   for (const auto& [name, content] : entries) {
-    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
-                                                                         archive_entry_free);
-    archive_entry_set_pathname(entry.get(), name.c_str());
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_mtime(entry.get(), 0, 0); // equal inputs give equal files
-    archive_entry_set_size(entry.get(), la_int64_t(content.size()));
-    check(archive_write_header(zip.get(), entry.get()));
-    check(archive_write_data(zip.get(), content.data(), content.size()));
+    zip_source_t* source = zip_source_buffer(zip, content.data(), content.size(), 0);
+    const zip_int64_t index = zip_file_add(zip, name.c_str(), source, ZIP_FL_ENC_UTF_8);
+    is_done = is_done && index >= 0 &&
+              zip_file_set_dostime(zip, zip_uint64_t(index), 0, first_date, 0) == 0;
   }
-  check(archive_write_close(zip.get()));
+  if (!is_done || zip_close(zip) != 0) {
+    zip_discard(zip);
+    throw std::runtime_error("a ZIP archive cannot be made");
+  }
+  std::string result;
+  zip_stat_t size;
+  if (zip_source_stat(memory, &size) == 0 && zip_source_open(memory) == 0) {
+    result.resize(size.size);
+    result.resize(std::size_t(zip_source_read(memory, result.data(), size.size)));
+    zip_source_close(memory);
+  }
   return result;
 }
 
