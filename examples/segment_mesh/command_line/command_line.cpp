@@ -142,9 +142,9 @@ void add_outputs(CLI::App& app, Raw_options& raw)
  ParaView; the faces of .obj are ordered by segment,
  and a .mtl beside it has the colors, unless it is a
  pipe), .glb, .3mf, .stl (a part for each segment, to
- be shown or printed), .seg (the label of each face on a
- line), .csv (a table: area, volume, shape ... of each
- segment), .json (all of it). With .gz after it a file
+ be shown or printed), .seg (the label of each face on
+ a line), .csv (a table: area, volume, shape ... of
+ each segment), .json (all of it). With .gz after it a file
  is compressed. {segment} in FILE: a mesh for each
  segment. - is stdout. A file appears whole or not at
  all; stdout, a device or a pipe can be left half
