@@ -188,38 +188,6 @@ TEST(Border_straightening_test, for_one_number_the_segments_are_the_same)
     }
 }
 
-TEST(Border_straightening_test, a_zigzag_becomes_straight)
-{
-  // Two halves of a plate with teeth of two squares between them.
-  const std::size_t columns = 20, rows = 12;
-  const RS::Surface mesh = surface_of(grid(columns, rows));
-  Labels halves, straight;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const RS::Double_3 c = mesh.centroid(f);
-    const bool is_tooth = std::size_t(c.y) % 4 < 2;
-    halves.push_back(c.x > (is_tooth ? 11 : 9));
-    straight.push_back(c.x > 10);
-  }
-  RS::Merge_tree tree(2);
-  tree.push_back({0, 1, 0});
-  RS::Border_straightening straightening;
-  straightening.width = 0.25;
-  straightening.width_of_segment = 0.5;
-  const auto border = [&](const auto& labels) {
-    double length = 0;
-    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
-      if (labels[mesh.lower_face(e)] != labels[mesh.higher_face(e)])
-        length += mesh.length(e);
-    return length;
-  };
-  ASSERT_GT(border(halves), double(rows));
-  const Merged_surface merged(surface_of(grid(columns, rows)), RS::Partition::from_labels(halves),
-                              tree);
-  EXPECT_DOUBLE_EQ(border(merged.straightened(straightening)), border(straight));
-  straightening.number_of_cuts = 0;
-  EXPECT_EQ(border(merged.straightened(straightening)), border(halves));
-}
-
 TEST(Border_straightening_test, fixed_regions_keep_their_faces)
 {
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -252,6 +220,7 @@ void expect_connected_and_nested(Method method)
       auto map = face_map(mesh);
       const RS::Segmenter segmenter(
         mesh, RS::parameters::method(method).region_map(map).component_links(false));
+      const RS::Segmenter linked(mesh, RS::parameters::method(method));
       Labels finer = labels_of(mesh, map);
       EXPECT_TRUE(is_numbered_by_first_face(finer, segmenter.merge_tree().number_of_regions()));
       EXPECT_TRUE(is_connected(soup, finer));
@@ -264,6 +233,7 @@ void expect_connected_and_nested(Method method)
         EXPECT_TRUE(k >= segmenter.merge_tree().number_of_regions() ? nests(labels, finer)
                                                                     : nests(finer, labels))
           << k;
+        EXPECT_EQ(linked.segment(map, k), std::min(k, number_of_proper_faces(soup)));
       }
     }
 }

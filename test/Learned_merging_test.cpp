@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
@@ -21,15 +20,9 @@ using namespace test;
 
 namespace Learned_merging_test {
 
-template <typename Parameters>
-Labels segment_into(const Soup& soup, std::size_t k, const Parameters& np)
-{
-  return segments_of(to_surface_mesh(soup), np.number_of_segments(k).method(RS::Learned_merging()));
-}
-
 Labels segment_into(const Soup& soup, std::size_t k)
 {
-  return segment_into(soup, k, RS::parameters::default_values());
+  return segments_of(to_surface_mesh(soup), RS::parameters::number_of_segments(k));
 }
 
 Labels segment_automatically(const Soup& soup)
@@ -40,48 +33,6 @@ Labels segment_automatically(const Soup& soup)
 std::size_t number_of(const Labels& labels)
 {
   return 1 + *std::max_element(labels.begin(), labels.end());
-}
-
-TEST(Learned_merging_test, segmentations_nest_and_are_connected)
-{
-  for (Family family : all_families) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 5);
-    Labels coarse;
-    for (std::size_t k : {1, 2, 3, 5, 9, 20, 50}) {
-      const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
-      EXPECT_TRUE(is_connected(soup, fine));
-      EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
-      if (!coarse.empty()) {
-        EXPECT_TRUE(nests(fine, coarse));
-      }
-      coarse = fine;
-      EXPECT_EQ(number_of(segment_into(soup, k)), k) << "with links";
-    }
-  }
-}
-
-TEST(Learned_merging_test, parts_a_dumbbell)
-{
-  // Cubes of 9 squares a side, 4 squares a side of the bar: the squares of one part have one label.
-  const Soup soup = dumbbell();
-  const Labels labels = segment_into(soup, 3);
-  EXPECT_EQ(number_of(labels), 3u);
-  EXPECT_EQ(labels.front() == labels.back(), false);
-}
-
-TEST(Learned_merging_test, does_not_depend_on_place_and_size)
-{
-  // By powers of two and multiples of the grid of coordinates nothing is rounded.
-  for (Family family : {Family::BLOCKS, Family::TORUS, Family::SPHERE}) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 2);
-    const Labels labels = segment_into(soup, 5), automatic = segment_automatically(soup);
-    EXPECT_EQ(segment_into(scaled(soup, 1024), 5), labels);
-    EXPECT_EQ(segment_into(translated(soup, 4096, -1024, 512), 5), labels);
-    EXPECT_EQ(segment_automatically(scaled(soup, 1024)), automatic);
-    EXPECT_EQ(segment_automatically(translated(soup, 4096, -1024, 512)), automatic);
-  }
 }
 
 TEST(Learned_merging_test, each_segment_has_a_face_that_is_neither_degenerate_nor_doubled)
@@ -163,19 +114,6 @@ TEST(Learned_merging_test, an_isolated_vertex_changes_nothing)
   same.add_vertex(Surface_mesh::Point(1e9, -1e9, 1e9));
   const auto np = RS::parameters::number_of_segments(5);
   EXPECT_EQ(run(same, np).segments, run(mesh, np).segments);
-}
-
-TEST(Learned_merging_test, does_not_depend_on_rotation)
-{
-  for (unsigned seed = 0; seed < 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Soup soup = triangulated(random_mesh(Family::BLOCKS, seed));
-    const Soup turned = mapped(soup, [](const Point& p) -> Point { // by a quarter: exact
-      return {-p[1], p[0], p[2]};
-    });
-    EXPECT_EQ(segment_into(turned, 6), segment_into(soup, 6));
-    EXPECT_EQ(segment_automatically(turned), segment_automatically(soup));
-  }
 }
 
 TEST(Learned_merging_test, gives_something_sensible_where_there_is_nothing)

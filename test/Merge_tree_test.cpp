@@ -24,16 +24,6 @@ Merge_tree small_tree()
   return tree;
 }
 
-TEST(Merge_tree_test, partition_at_count)
-{
-  const Merge_tree tree = small_tree();
-  EXPECT_EQ(labels_of(tree.partition_at_count(5)), (Labels{0, 1, 2, 3, 4}));
-  EXPECT_EQ(labels_of(tree.partition_at_count(4)), (Labels{0, 1, 2, 2, 3}));
-  EXPECT_EQ(labels_of(tree.partition_at_count(3)), (Labels{0, 1, 2, 2, 1}));
-  EXPECT_EQ(labels_of(tree.partition_at_count(2)), (Labels{0, 1, 0, 0, 1}));
-  EXPECT_EQ(tree.partition_at_count(3).number_of_parts(), 3u);
-}
-
 TEST(Merge_tree_test, partition_at_a_count_that_the_tree_does_not_have)
 {
   const Merge_tree tree = small_tree();

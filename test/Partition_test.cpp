@@ -8,11 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <random>
 #include <set>
 #include <vector>

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -187,18 +185,6 @@ TEST(Patches_test, another_round_follows_one_that_joined_just_enough)
     numbers.insert(patches.fine.size() - 8 * columns);
   }
   EXPECT_GT(numbers.size(), 3u);
-}
-
-TEST(Patches_test, large_faces_are_patches)
-{
-  for (Family family : all_families) {
-    const RS::Surface mesh = surface_of(random_mesh(family, 1));
-    const Surface_patches patches = patches_of(mesh);
-    std::size_t large = 0;
-    for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-      large += mesh.area(f) > Surface_patches::maximum_area * mesh.area();
-    EXPECT_GE(patches.fine.size(), large) << name(family);
-  }
 }
 
 using Lengths = std::map<std::pair<std::size_t, std::size_t>, double>;
@@ -394,29 +380,6 @@ TEST(Patches_test,
   EXPECT_GT(less, 0u);
 }
 
-TEST(Patches_test, do_not_depend_on_the_numbering)
-{
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Soup soup = small_faces(seed);
-    Soup other = soup;
-    std::mt19937 random(seed);
-    std::vector<std::size_t> order(soup.polygons.size()), new_vertex;
-    for (std::size_t i = 0; i < order.size(); ++i)
-      order[i] = i;
-    std::shuffle(order.begin(), order.end(), random);
-    for (std::size_t i = 0; i < order.size(); ++i)
-      other.polygons[order[i]] = soup.polygons[i];
-    shuffle_vertices(other, random, new_vertex);
-    const Labels a = labels_of(patches_of(surface_of(soup)).fine.of_elements());
-    const Labels b = labels_of(patches_of(surface_of(other)).fine.of_elements());
-    Labels b_of_a(a.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-      b_of_a[i] = b[order[i]];
-    EXPECT_EQ(renumbered(b_of_a), a);
-  }
-}
-
 TEST(Patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
 {
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
@@ -424,38 +387,6 @@ TEST(Patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
   const Surface_patches patches = patches_of(mesh);
   EXPECT_EQ(patches.fine.size(), 1u);
   EXPECT_EQ(patches.fine[0].area, 0);
-}
-
-TEST(Patches_test, each_round_is_reported_and_can_be_cancelled)
-{
-  struct Visitor
-  {
-    std::size_t last = std::numeric_limits<std::size_t>::max();
-    std::vector<double> fractions;
-    bool go_further(const char*, double fraction)
-    {
-      fractions.push_back(fraction);
-      return fractions.size() < last;
-    }
-  };
-  const RS::Surface surface = surface_of(small_faces(1));
-  const auto build = [&](Visitor& visitor) {
-    return RS::internal::Patch_builder::build(surface, RS::Execution().with_visitor(visitor));
-  };
-  Visitor all;
-  const std::size_t size = build(all).coarse.size();
-  EXPECT_TRUE(std::is_sorted(all.fractions.begin(), all.fractions.end()));
-  ASSERT_GT(all.fractions.size(), 3u);
-  EXPECT_EQ(all.fractions.back(), 1 - double(size) / double(surface.number_of_faces()))
-    << "the last round";
-  EXPECT_EQ(std::adjacent_find(all.fractions.begin(), all.fractions.end()), all.fractions.end())
-    << "each round joins patches";
-  for (std::size_t last = 1; last <= all.fractions.size(); ++last) {
-    Visitor cancelling;
-    cancelling.last = last;
-    EXPECT_THROW(build(cancelling), RS::Segmentation_cancelled);
-    EXPECT_EQ(cancelling.fractions.size(), last);
-  }
 }
 
 } // namespace Patches_test

@@ -161,20 +161,6 @@ TEST(Scalar_annotator, takes_the_place_of_the_annotator_that_it_extends)
   }
 }
 
-TEST(Scalar_annotator, annotating_again_changes_nothing)
-{
-  const RS::Surface mesh = RS::make_surface(to_surface_mesh(cube()));
-  const RS::Partition regions = RS::Partition::from_labels(std::vector<int>{0, 0, 1, 1, 1, 1});
-  const Annotator annotator(std::vector<double>{1, 2, 3, 4, 5, 6});
-  auto graph = annotated(mesh, regions, annotator);
-  for (int round = 0; round < 2; ++round) {
-    EXPECT_DOUBLE_EQ(graph[0].mean_scalar(), 1.5);
-    EXPECT_DOUBLE_EQ(graph[1].mean_scalar(), 4.5);
-    EXPECT_DOUBLE_EQ(graph[0].scalar, 3);
-    annotator(graph, mesh, regions);
-  }
-}
-
 TEST(Scalar_annotator, names_values_that_are_missing_or_not_finite)
 {
   const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));

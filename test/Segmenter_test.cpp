@@ -152,17 +152,6 @@ TEST(Segmenter_test, gives_what_segment_gives)
   }
 }
 
-TEST(Segmenter_test, numbers_nest_where_there_is_one_tree)
-{
-  for (const auto& [family, seed] : random_meshes(2)) {
-    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-    const Surface_mesh mesh = to_surface_mesh(random_mesh(family, seed));
-    const RS::Segmenter segmenter(mesh, RS::parameters::method(visibility()));
-    for (std::size_t k = 1; k < 70; k += 4)
-      EXPECT_TRUE(nests(labels(segmenter, k + 4), labels(segmenter, k))) << k;
-  }
-}
-
 TEST(Segmenter_test, a_given_number_is_that_of_asking_without_one)
 {
   const Surface_mesh mesh = fine_dumbbell();
@@ -287,28 +276,6 @@ bool is_separated_at(const Surface_mesh& mesh, const Labels& labels, double x)
                       [&](std::size_t l) { return behind.count(l) > 0; });
 }
 
-template <typename Method>
-void test_drawn_loop(const Method& method)
-{
-  const Surface_mesh mesh = fine_dumbbell();
-  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
-  const double x = 11; // within the bar
-  EXPECT_FALSE(is_separated_at(mesh, labels(segmenter, 2), x));
-  segmenter.add_constraints(edge_map(mesh, loop_at(mesh, x)));
-  for (std::size_t k : {1, 2, 3, 5, 12}) {
-    const Labels after = labels(segmenter, k);
-    EXPECT_TRUE(is_separated_at(mesh, after, x)) << k;
-    EXPECT_TRUE(is_connected(soup_of(mesh), after, loop_at(mesh, x))) << k;
-    EXPECT_GE(std::set<std::size_t>(after.begin(), after.end()).size(), 2u);
-  }
-}
-
-TEST(Segmenter_test, a_loop_drawn_later_separates)
-{
-  test_drawn_loop(visibility());
-  test_drawn_loop(two_step());
-}
-
 TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
 {
   const Surface_mesh mesh = fine_dumbbell();
@@ -326,29 +293,6 @@ TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
   segmenter.add_constraints(edge_map(mesh, within));
   EXPECT_EQ(Labels(segmenter.regions().begin(), segmenter.regions().end()), regions);
   EXPECT_EQ(labels(segmenter, 3), before);
-}
-
-TEST(Segmenter_test, random_constraints_are_never_merged_across)
-{
-  for (const auto& [family, seed] : random_meshes(3)) {
-    SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-    const Soup soup = random_mesh(family, seed);
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    std::mt19937 random(seed);
-    RS::Visibility_merging method = visibility(15);
-    // A border that moves can come to lie on an edge that separated nothing, and has no effect.
-    method.straightening.number_of_cuts = 0;
-    RS::Segmenter segmenter(mesh, RS::parameters::method(method));
-    std::set<Edge> drawn;
-    for (int round = 0; round < 3; ++round) {
-      for (const Edge& e : random_edges(soup, 6, random))
-        drawn.insert(e);
-      segmenter.add_constraints(edge_map(mesh, drawn));
-      const Labels regions(segmenter.regions().begin(), segmenter.regions().end());
-      for (std::size_t k : {1, 4, 30})
-        EXPECT_TRUE(separates(soup, drawn, regions, labels(segmenter, k))) << k;
-    }
-  }
 }
 
 template <typename Method>

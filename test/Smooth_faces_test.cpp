@@ -219,12 +219,6 @@ TEST(Smooth_faces_test, a_smooth_surface_is_one_face)
     EXPECT_EQ(smooth_faces(soup), Labels(soup.polygons.size(), 0));
 }
 
-TEST(Smooth_faces_test, separates_the_faces_of_blocks)
-{
-  EXPECT_EQ(number_of_labels(smooth_faces(cube())), 6u);
-  EXPECT_EQ(number_of_labels(smooth_faces(l_shape())), 8u);
-}
-
 /// Whether labels of some faces of the soup are all different.
 bool are_separate(const Labels& labels, const Labels& truth, const std::vector<std::size_t>& faces)
 {

@@ -15,9 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -123,16 +121,6 @@ Seeding seeding_of(const RS::Surface& mesh, std::size_t number, double weight)
   return result;
 }
 
-TEST(Float_key_test, gives_back_its_value_and_index)
-{
-  for (float value : {0.f, 1e-40f, 0.25f, 3e38f, std::numeric_limits<float>::infinity()})
-    for (std::uint32_t index : {0u, 1u, 0x3f800000u, 0xffffffffu}) {
-      const auto key = RS::internal::make_float_key(value, index);
-      EXPECT_EQ(RS::internal::value_of(key), value);
-      EXPECT_EQ(RS::internal::index_of(key), index);
-    }
-}
-
 /// The dual graph of the faces with the steps of `distances_from()`.
 RS::internal::Dual_graph dual_graph_of(const RS::Surface& mesh, double weight)
 {
@@ -169,76 +157,6 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
           if (regions[expected.seeds[i]] == regions[f]) {
             EXPECT_NEAR(expected.from_seed[i][f], expected.nearest[f], 1e-9);
           }
-    }
-}
-
-TEST(Superfacets_test, regions_are_connected_and_numbered_by_first_face)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const RS::Partition regions = regions_of(surface_of(soup), RS::Superfacets(20));
-      EXPECT_TRUE(is_numbered_by_first_face(labels_of(regions), regions.number_of_parts()));
-      EXPECT_TRUE(is_connected(soup, labels_of(regions)));
-    }
-}
-
-TEST(Farthest_point_seeding_test,
-     every_component_gets_a_seed_where_it_is_farthest_from_the_centroid)
-{
-  for (unsigned seed = 1; seed <= 5; ++seed)
-    for (std::size_t number : {1, 3, 9}) {
-      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(number) + " regions");
-      const Soup one = random_mesh(Family::SPHERE, seed), other = random_mesh(Family::TORUS, seed);
-      const RS::Surface mesh = surface_of(
-        joined(joined(one, translated(other, 20, 0, 0)), translated(one, 0, 50, 0)));
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      seeding.run(distances_from_centroid(mesh), number, RS::Execution());
-      const RS::Partition regions = seeding.regions();
-      ASSERT_EQ(regions.number_of_parts(), std::max<std::size_t>(3, number));
-      const Seeding expected = seeding_of(mesh, regions.number_of_parts(), 0.4);
-      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
-        for (std::size_t i = 0; i < regions.number_of_parts(); ++i)
-          if (regions[expected.seeds[i]] == regions[f]) {
-            EXPECT_NEAR(expected.from_seed[i][f], expected.nearest[f], 1e-9);
-          }
-    }
-}
-
-TEST(Farthest_point_seeding_test, given_seeds_are_placed_beside_others)
-{
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::TWO_COMPONENTS})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const RS::Surface mesh = surface_of(soup);
-      std::vector<std::size_t> seeds = seeding_of(mesh, 2, 0.4).seeds; // one in each component
-      std::mt19937 random(seed);
-      while (seeds.size() < 9)
-        if (const std::size_t f = random() % mesh.number_of_faces();
-            std::find(seeds.begin(), seeds.end(), f) == seeds.end())
-          seeds.push_back(f);
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      // In two parts: what is nearer to a later seed moves to it.
-      seeding.add({seeds.begin(), seeds.begin() + 5});
-      EXPECT_EQ(seeding.regions().number_of_parts(), 5u);
-      seeding.add({seeds.begin() + 5, seeds.end()});
-      const RS::Partition regions = seeding.regions();
-      ASSERT_EQ(regions.number_of_parts(), seeds.size());
-      EXPECT_TRUE(is_connected(soup, labels_of(regions)));
-      std::vector<std::vector<double>> from_seed;
-      for (const std::size_t s : seeds)
-        from_seed.push_back(distances_from(mesh, s, 0.4));
-      for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-        double nearest = std::numeric_limits<double>::infinity(), own = nearest;
-        for (std::size_t i = 0; i < seeds.size(); ++i) {
-          nearest = std::min(nearest, from_seed[i][f]);
-          if (regions[seeds[i]] == regions[f])
-            own = from_seed[i][f];
-        }
-        EXPECT_NEAR(own, nearest, 1e-9);
-      }
     }
 }
 
@@ -279,74 +197,6 @@ TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its
         before = after;
       }
     }
-}
-
-TEST(Superfacets_test, are_seeded_on_the_patches)
-{
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS})
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      // The faces are so large that each is a patch.
-      const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      ASSERT_EQ(patches_of(mesh).fine.size(), mesh.number_of_faces());
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      seeding.run(distances_from_centroid(mesh), 15, RS::Execution());
-      EXPECT_LT(RS::rand_index_distance(regions_of(mesh, RS::Superfacets(15)), seeding.regions()),
-                0.02); // but for rounding
-    }
-}
-
-/// The graph of patches with the steps of the definition.
-RS::internal::Dual_graph dual_graph_of(const RS::Patches& patches, const RS::Surface& mesh)
-{
-  return RS::internal::Dual_graph(
-    patches, RS::internal::Dual_graph::EDGES, [&](const auto& a, double deviation) {
-      return norm(patches[a.lower].centroid - patches[a.higher].centroid) / mesh.length_unit() +
-             0.4 * std::min(deviation, 0.6);
-    });
-}
-
-TEST(Superfacets_test, are_seeded_on_coarse_patches_where_there_are_four_for_each)
-{
-  std::mt19937 random(1);
-  Soup soup = triangulated(torus(120, 60));
-  bump(soup, 0.01, random);
-  soup = scaled(soup, 0.01); // an area below 1
-  const RS::Surface mesh = surface_of(soup);
-  ASSERT_LT(mesh.area(), 1);
-  const RS::Surface_patches patches = patches_of(mesh);
-  const RS::Patches &fine = patches.fine, &coarse = patches.coarse;
-  ASSERT_LT(coarse.size(), fine.size() / 2);
-  RS::Double_3 center{}; // of the surface
-  for (std::size_t p = 0; p < coarse.size(); ++p)
-    center = center + (coarse[p].area / mesh.area()) * coarse[p].centroid;
-  const auto remoteness = [&](const RS::Patches& of) {
-    std::vector<double> result;
-    for (std::size_t p = 0; p < of.size(); ++p)
-      result.push_back(norm(of[p].centroid - center));
-    return result;
-  };
-  for (const std::size_t number : {1ul, 40ul, coarse.size() / 4, coarse.size() / 4 + 1}) {
-    const bool is_on_coarse = number <= coarse.size() / 4;
-    const RS::Patches& places = is_on_coarse ? coarse : fine;
-    RS::internal::Farthest_point_seeding placing(dual_graph_of(places, mesh));
-    placing.run(remoteness(places), number, RS::Execution());
-    const std::vector<RS::Partition> draws = RS::Superfacets(number).draws(mesh, patches, 3);
-    ASSERT_EQ(draws.size(), number == 1 ? 1u : 3u);
-    EXPECT_EQ(regions_of(mesh, RS::Superfacets(number)).number_of_parts(), number);
-    std::size_t n = number;
-    for (const RS::Partition& draw : draws) {
-      std::vector<RS::Surface::Index> seeds;
-      for (std::size_t i = 0; i < n; ++i)
-        seeds.push_back(is_on_coarse ? coarse[placing.seeds()[i]].center : placing.seeds()[i]);
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(fine, mesh));
-      seeding.add(seeds);
-      EXPECT_EQ(draw.number_of_parts(), n);
-      EXPECT_LT(RS::rand_index_distance(draw, seeding.regions()), 0.001)
-        << n << " regions"; // but for rounding
-      n = n * 15 / 16;
-    }
-  }
 }
 
 TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
@@ -411,14 +261,6 @@ TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
       ASSERT_EQ(finer.number_of_parts(), n + 1);
       EXPECT_NE(finer[farthest], finer[center_of_farthest]);
     }
-}
-
-TEST(Superfacets_test, every_piece_gets_a_seed_beyond_the_number)
-{
-  Soup soup = cube();
-  for (int i = 1; i < 5; ++i)
-    soup = joined(soup, translated(cube(), 3 * i, 0, 0));
-  EXPECT_EQ(regions_of(surface_of(soup), RS::Superfacets(2)).number_of_parts(), 5u);
 }
 
 TEST(Superfacets_test, seeds_of_crumbs_do_not_count)

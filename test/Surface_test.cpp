@@ -143,16 +143,6 @@ TEST_P(Surface_test, adjacencies_are_those_of_the_soup_by_higher_then_by_lower_f
   EXPECT_GT(number_concave, 0u);
 }
 
-TEST_P(Surface_test, the_first_adjacency_of_a_face_is_found)
-{
-  for (std::size_t f = 0; f <= surface.number_of_faces(); f += 7) {
-    const std::size_t e = surface.first_adjacency(f);
-    EXPECT_TRUE(e == surface.number_of_adjacencies() || surface.higher_face(e) >= f)
-      << "face " << f;
-    EXPECT_TRUE(e == 0 || surface.higher_face(e - 1) < f) << "face " << f;
-  }
-}
-
 TEST_P(Surface_test, points_centroids_and_the_area_of_the_surface)
 {
   ASSERT_EQ(surface.unit(), 1);
@@ -220,33 +210,6 @@ TEST(Deviation_test, is_a_number_where_normals_are_equal_or_opposite)
     EXPECT_NEAR(folded.deviation(0), std::acos(-1.0), 1e-6) << "plane " << i;
   }
   EXPECT_GT(beyond, 100u);
-}
-
-TEST(Unit_test, is_that_of_the_mesh_unless_coordinates_are_extreme)
-{
-  const Soup soup = random_mesh(Family::SPHERE, 2);
-  const auto read = [](const Soup& s) { return RS::make_surface(to_surface_mesh(s)); };
-  const RS::Surface expected = read(soup);
-  ASSERT_EQ(expected.unit(), 1);
-  for (int exponent : {-900, -300, -10, 0, 10, 300, 900}) {
-    SCOPED_TRACE(exponent);
-    const double scale = std::ldexp(1, exponent);
-    const RS::Surface surface = read(scaled(soup, scale));
-    if (std::abs(exponent) <= 10) {
-      EXPECT_EQ(surface.unit(), 1);
-    } else if (std::abs(exponent) >= 900) {
-      EXPECT_NE(surface.unit(), 1);
-    }
-    int power = 0;
-    EXPECT_EQ(std::frexp(surface.unit(), &power), 0.5) << "a power of two";
-    // In mesh units lengths are the same bits, times the scale.
-    for (std::size_t e = 0; e < surface.number_of_adjacencies(); ++e) {
-      ASSERT_EQ(surface.length(e) * surface.unit(), expected.length(e) * scale);
-      ASSERT_EQ(surface.flags(e), expected.flags(e));
-    }
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      ASSERT_EQ(norm(surface.normal(f) - expected.normal(f)), 0);
-  }
 }
 
 // Points and polygons
@@ -475,25 +438,6 @@ Soup sheets(const std::vector<double>& angles, const std::vector<bool>& is_rever
   return soup;
 }
 
-TEST(Seams_test, three_sheets_have_three)
-{
-  const RS::Surface surface = surface_of(sheets({0, 100, 220}, {false, false, false}));
-  ASSERT_EQ(surface.number_of_adjacencies(), 3u);
-  EXPECT_TRUE(surface.has_seams_or_links());
-  for (std::size_t a = 0; a < 3; ++a) {
-    EXPECT_EQ(surface.flags(a), RS::Surface::SEAM) << "no two are oriented alike";
-    EXPECT_FALSE(surface.has_angle(a));
-    EXPECT_EQ(surface.cosine(a), 1);
-    EXPECT_EQ(surface.length(a), 1) << "half of the edge";
-  }
-  EXPECT_EQ(surface.lower_face(0), 0u);
-  EXPECT_EQ(surface.higher_face(0), 1u);
-  EXPECT_EQ(surface.lower_face(1), 0u);
-  EXPECT_EQ(surface.higher_face(1), 2u);
-  EXPECT_EQ(surface.lower_face(2), 1u);
-  EXPECT_EQ(surface.higher_face(2), 2u);
-}
-
 TEST(Seams_test,
      are_between_sheets_that_follow_each_other_and_have_angles_where_these_are_oriented_alike)
 {
@@ -624,28 +568,6 @@ TEST(Orientation_test, a_moebius_strip_has_exactly_one_seam)
         EXPECT_FALSE(surface.has_angle(seams[0]));
         EXPECT_NEAR(surface.length(seams[0]), 0.6, 1e-12) << "all of the edge";
       }
-    }
-}
-
-TEST(Orientation_test, corners_run_as_normals_say_on_surfaces_that_are_inside_out)
-{
-  const Soup ball = random_mesh(Family::SPHERE, 2), ring = random_mesh(Family::TORUS, 3);
-  const RS::Surface expected = RS::make_surface(to_surface_mesh(ball));
-  for (const RS::Surface& surface :
-       {RS::make_surface(to_surface_mesh(reversed(ball))), surface_of(reversed(ball))}) {
-    expect_equal(surface, expected);
-    expect_consistent_corners(surface);
-    double volume = 0;
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      volume += surface.area(f) * dot(surface.normal(f), surface.centroid(f)) / 3;
-    EXPECT_GT(volume, 0);
-  }
-  // Of two components one is turned.
-  for (const Soup& soup : {joined(reversed(ball), translated(ring, 30, 0, 0)),
-                           joined(ball, translated(reversed(ring), 30, 0, 0))})
-    for (const RS::Surface& surface : {RS::make_surface(to_surface_mesh(soup)), surface_of(soup)}) {
-      expect_equal_shapes(surface, surface_of(joined(ball, translated(ring, 30, 0, 0))));
-      expect_consistent_corners(surface);
     }
 }
 
@@ -832,86 +754,6 @@ TEST(Coinciding_borders_test, of_a_face_graph_are_adjacent)
               .number_of_adjacencies(),
             31u);
   EXPECT_EQ(surface_of(soup).number_of_adjacencies(), 31u);
-}
-
-TEST(For_each_repetition_test, finds_the_first_of_equal_items_whatever_their_hashes)
-{
-  for (const std::size_t hashes : {1, 2, 7, 1000})
-    for (unsigned seed = 1; seed <= 10; ++seed) {
-      SCOPED_TRACE(std::to_string(hashes) + " hashes, seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      std::vector<unsigned> values(200);
-      for (unsigned& v : values)
-        v = random() % 100;
-      const auto counts = [](std::size_t i) { return i % 5 != 3; };
-      std::map<std::size_t, std::size_t> expected, found;
-      std::map<unsigned, std::size_t> first;
-      for (std::size_t i = 0; i < values.size(); ++i)
-        if (counts(i) && !first.emplace(values[i], i).second)
-          expected[i] = first[values[i]];
-      RS::internal::for_each_repetition(
-        values.size(),
-        [&](const auto& add) {
-          for (std::size_t i = 0; i < values.size(); ++i)
-            if (counts(i))
-              add(i, std::size_t(values[i] % hashes * 0x9e3779b97f4a7c15u));
-        },
-        [&](std::size_t i, std::size_t j) { return values[i] == values[j]; },
-        [&](std::size_t i, std::size_t of) { EXPECT_TRUE(found.emplace(i, of).second); });
-      EXPECT_EQ(found, expected);
-    }
-}
-
-/// Else time is quadratic where hashes have 32 bits.
-TEST(For_each_repetition_test, compares_few_items_of_different_hashes)
-{
-  constexpr std::size_t size = 10000;
-  for (const int shift : {0, 16, 32}) {
-    std::size_t comparisons = 0;
-    RS::internal::for_each_repetition(
-      size,
-      [&](const auto& add) {
-        for (std::size_t i = 0; i < size; ++i)
-          add(i, std::uint64_t(i) << shift);
-      },
-      [&](std::size_t, std::size_t) { return ++comparisons == 0; },
-      [&](std::size_t, std::size_t) { FAIL(); });
-    EXPECT_EQ(comparisons, 0) << shift;
-  }
-}
-
-// A polygon with a triangle at each side, as the first and as the last face.
-TEST(Sides_test, know_the_adjacency_across_them)
-{
-  constexpr std::size_t n = 9;
-  for (const bool is_last : {false, true}) {
-    Soup soup;
-    Polygon corners;
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      const double angle = double(i % n + (i < n ? 0 : 0.5)) * 2 * 3.14159265358979 / n;
-      soup.points.push_back({std::cos(angle), std::sin(angle), i < n ? 0.0 : 0.1});
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      corners.push_back(i);
-      soup.polygons.push_back({(i + 1) % n, i, n + i});
-    }
-    soup.polygons.insert(is_last ? soup.polygons.end() : soup.polygons.begin(), corners);
-    const RS::Surface surface = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
-    ASSERT_EQ(surface.number_of_adjacencies(), n);
-    for (std::size_t f = 0; f <= n; ++f)
-      for (std::size_t i = 0; i < surface.number_of_corners(f); ++i) {
-        const std::size_t v = surface.corner(f, i),
-                          w = surface.corner(f, (i + 1) % surface.number_of_corners(f));
-        const std::size_t triangle = (v + 1) % n == w ? v : w; // at the side, if both are below n
-        const std::size_t a = surface.adjacency(f, i);
-        if (v >= n || w >= n) {
-          EXPECT_EQ(a, std::size_t(RS::Surface::none));
-        } else {
-          EXPECT_EQ(surface.lower_face(a), is_last ? triangle : 0);
-          EXPECT_EQ(surface.higher_face(a), is_last ? n : triangle + 1);
-        }
-      }
-  }
 }
 
 // Two sheets of paper along two edges of equal length: of a polygon soup and of a face graph.

@@ -25,57 +25,6 @@ namespace User_parts_test {
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
 
-/// Regions by the octant of their centroids, merged as those of the paper: a method whose order
-/// depends on the number.
-struct Octants
-{
-  struct Prepared
-  {
-    RS::Partition regions;
-  };
-
-  Prepared prepare(const RS::Surface& surface, const RS::Execution&) const
-  {
-    std::vector<int> octants;
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      const RS::Double_3 c = surface.centroid(f);
-      octants.push_back((c.x > 0) + 2 * (c.y > 0) + 4 * (c.z > 0));
-    }
-    return {RS::Partition::from_labels(octants)};
-  }
-
-  RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,
-                         const RS::Request& request, const RS::Execution& execution) const
-  {
-    RS::Requested_regions requested = RS::requested_regions(surface, prepared.regions,
-                                                            request.seeds);
-    auto graph = RS::build_region_adjacency_graph(surface, requested.regions,
-                                                  execution.stage("graph"));
-    const std::size_t number = request.number_of_segments;
-    const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
-      {RS::Smallest_region_first(), 2 * number}, {RS::Least_compact_region_first(), number}};
-    RS::Merge_tree tree = RS::merge_regions(graph, steps, number);
-    return {std::move(requested.regions), std::move(tree), number};
-  }
-};
-
-TEST(User_parts_test, a_method_for_one_number)
-{
-  const Surface_mesh mesh = to_surface_mesh(sphere(3));
-  const Result result = run(mesh, RS::parameters::number_of_segments(8).method(Octants()));
-  EXPECT_EQ(result.number_of_segments, 8u);
-  for (auto f : mesh.faces()) {
-    const auto c = CGAL::centroid(mesh.point(target(halfedge(f, mesh), mesh)),
-                                  mesh.point(source(halfedge(f, mesh), mesh)),
-                                  mesh.point(target(next(halfedge(f, mesh), mesh), mesh)));
-    const auto first = *std::find_if(mesh.faces().begin(), mesh.faces().end(), [&](auto g) {
-      return result.segments[g] == result.segments[f];
-    });
-    const auto d = mesh.point(target(halfedge(first, mesh), mesh));
-    EXPECT_TRUE(c.x() * d.x() >= 0 && c.y() * d.y() >= 0 && c.z() * d.z() >= 0);
-  }
-}
-
 /// The largest deviation of the edges of a section.
 struct Sharpest_section : RS::Section_geometry
 {
@@ -147,71 +96,6 @@ TEST(User_parts_test, a_cost_on_a_datum)
       << merge.cost;
   const RS::Partition flats = segmenter.merge_tree().partition_at_cost(0.1);
   EXPECT_EQ(flats.number_of_parts(), 11u) << "the flat faces: 5 of the box and 6 of the plate";
-}
-
-/// The mean of a scalar of the faces.
-struct Scalar_region : RS::Region_geometry
-{
-  double scalar = 0; // integral over the area
-
-  void absorb(const Scalar_region& other, const RS::Section_geometry& between)
-  {
-    RS::Region_geometry::absorb(other, between);
-    scalar += other.scalar;
-  }
-};
-
-struct Scalar_cost
-{
-  using RegionData = Scalar_region;
-  using SectionData = RS::Section_geometry;
-  std::vector<double> values; // by face
-
-  template <typename Graph>
-  void annotate(Graph& graph, const RS::Surface& surface, const RS::Partition& regions) const
-  {
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      graph[regions[f]].scalar += surface.area(f) * values[f];
-  }
-
-  template <typename Graph>
-  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
-  {
-    const auto mean = [&](auto r) { return graph[r].scalar / graph[r].area; };
-    return std::abs(mean(graph.source(s)) - mean(graph.target(s)));
-  }
-};
-
-/// A scalar that is 1 in one part of a sphere: the two parts, whatever the shape says.
-template <typename Mesh>
-Labels segment_by_scalar(const Mesh& mesh)
-{
-  auto scalar = get(CGAL::dynamic_face_property_t<double>(), mesh);
-  const auto points = get(CGAL::vertex_point, mesh);
-  for (auto f : faces(mesh))
-    put(scalar, f, get(points, target(halfedge(f, mesh), mesh))[0] > 0.3 ? 1.0 : 0.0);
-  const Merging_of_faces<Scalar_cost> method{Scalar_cost{RS::face_values(mesh, scalar)}};
-  auto map = face_map(mesh);
-  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(2).method(method)), 2u);
-  for (auto f : faces(mesh))
-    for (auto g : faces(mesh))
-      if (get(scalar, f) != get(scalar, g)) {
-        EXPECT_NE(get(map, f), get(map, g));
-      }
-  return labels_of(mesh, map);
-}
-
-TEST(User_parts_test, a_scalar_of_the_faces)
-{
-  using Simple = CGAL::Simple_cartesian<double>;
-  using Polyhedron = CGAL::Polyhedron_3<Simple>;
-  using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
-  const Soup soup = sphere(2);
-  const Labels expected = segment_by_scalar(to_surface_mesh(soup));
-  EXPECT_EQ(segment_by_scalar(to_mesh<Polyhedron>(soup)), expected);
-  Polyhedron_with_ids with_ids = to_mesh<Polyhedron_with_ids>(soup);
-  CGAL::set_halfedgeds_items_id(with_ids);
-  EXPECT_EQ(segment_by_scalar(with_ids), expected);
 }
 
 /// Scales the visibility of the annotator it derives from: a constant of the user's.

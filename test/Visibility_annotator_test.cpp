@@ -249,19 +249,6 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   expect_equal(of_one.centroid(of_one.surface), {0.5, 0.5, 0});
 }
 
-/// A bumpy sheet of faces that are joined to patches, above a large slanted square, whose two
-/// triangles are the last faces.
-Soup sheet_above_square()
-{
-  std::mt19937 random(1);
-  Soup sheet = triangulated(grid(24, 24));
-  bump(sheet, 0.2, random);
-  const Soup square = mapped(grid(1, 1), [](const Point& p) -> Point {
-    return {864 * p[0] - 420, 864 * p[1] - 420, -50 - 80 * p[0]};
-  });
-  return joined(sheet, triangulated(square));
-}
-
 TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
 {
   const auto number_of_rays = [](double one_of) {
@@ -272,66 +259,6 @@ TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
   EXPECT_EQ(number_of_rays(6401), 1u);
   EXPECT_EQ(number_of_rays(25599), 1u);
   EXPECT_EQ(number_of_rays(25601), 0u);
-}
-
-TEST(Inward_rays_test, start_from_the_centers_of_patches)
-{
-  const Soup soup = sheet_above_square();
-  const std::size_t small = soup.polygons.size() - 2;
-  const RS::Surface mesh = // the sheet is no crumb
-    RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false));
-  std::vector<int> labels(soup.polygons.size(), 0);
-  labels[small] = labels[small + 1] = 1;
-  const RS::Partition regions = RS::Partition::from_labels(labels);
-  const RS::Surface_patches patches_of_mesh = patches_of(mesh);
-  const RS::Patches& patches = patches_of_mesh.fine;
-  ASSERT_LT(patches.size(), small / 8);
-  const std::vector<RS::Inward_ray> rays = RS::internal::Inward_rays(mesh, patches_of_mesh, regions)
-                                             .trace(RS::Execution());
-
-  std::vector<std::pair<double, std::size_t>> centers; // distance to the centroid of the sheet,
-                                                       // face
-  Double_3 centroid{0, 0, 0};
-  double area = 0;
-  for (std::size_t f = 0; f < small; ++f) {
-    centroid = centroid + mesh.area(f) * mesh.centroid(f);
-    area += mesh.area(f);
-  }
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    if (const std::size_t f = patches[p].center; f < small)
-      centers.push_back({norm(mesh.centroid(f) - (1 / area) * centroid), f});
-  std::sort(centers.begin(), centers.end());
-  for (std::size_t k : {0, 1, 2}) { // the first rays of three faces go straight down
-    const std::size_t f = centers[k * centers.size() * 9 / 30].second;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t g : {small, small + 1})
-      nearest = std::min(nearest,
-                         distance_to_face(mesh, g, mesh.centroid(f), -1.0 * mesh.normal(f)));
-    const auto ray = std::find_if(rays.begin(), rays.end(),
-                                  [&](const auto& r) { return r.source == f; });
-    ASSERT_NE(ray, rays.end());
-    EXPECT_NEAR(ray->distance, nearest, 1e-3 * nearest);
-  }
-}
-
-TEST(Visibility_annotator_test, the_thickness_of_a_plate_is_its_height)
-{
-  // A plate of 20 x 20 x 1: rays against the normal go 1 deep, those 0.9 rad away 1 / cos(0.9).
-  std::vector<Voxel> plate = voxel_block({0, 0, 0}, {20, 20, 1});
-  const RS::Surface mesh = surface_of(voxel_surface(plate));
-  const Graph graph = annotated(mesh, face_each(mesh));
-  const double unit = std::sqrt(2 * 400 + 4 * 20.0);
-  std::size_t middle = 0;
-  for (std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const Double_3 c = mesh.centroid(f), n = mesh.normal(f);
-    if (std::abs(n.z) < 0.5 || c.x < 3 || c.x > 17 || c.y < 3 || c.y > 17)
-      continue;
-    ++middle;
-    const double thickness = graph[std::uint32_t(f)].mean_log_thickness();
-    EXPECT_GT(thickness, std::log(1 / unit));
-    EXPECT_LT(thickness, std::log(1 / std::cos(0.9) / unit + 1e-4) + 1e-9);
-  }
-  EXPECT_EQ(middle, 2 * 14u * 14u);
 }
 
 TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
@@ -367,38 +294,6 @@ TEST(Visibility_annotator_test, opposite_sides_see_each_other_without_a_common_b
   }
 }
 
-TEST(Visibility_annotator_test, lengths_and_areas_are_relative_to_the_surface)
-{
-  // Two cubes side by side, each a region, of 5 squares; the surface has 10. They share 4 flat
-  // edges.
-  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 1, 1}));
-  for (double size : {1.0, 1024.0, 3.7}) {
-    const RS::Surface mesh = surface_of(scaled(soup, size));
-    const RS::Partition regions = RS::Partition::from_labels(
-      std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
-    const Graph graph = annotated(mesh, regions);
-    EXPECT_NEAR(graph[0u].area, 0.5, 1e-12);
-    EXPECT_NEAR(graph[1u].area, 0.5, 1e-12);
-    const auto& section = graph[*graph.section(0, 1)];
-    EXPECT_NEAR(section.length, 4 / std::sqrt(10), 1e-12);
-    EXPECT_EQ(section.number_of_adjacencies, 4u);
-    EXPECT_NEAR(section.concave, 0, 1e-12);
-    EXPECT_NEAR(section.convex, 0, 1e-12);
-  }
-}
-
-TEST(Visibility_annotator_test, sections_of_merged_regions_have_the_edges_of_both)
-{
-  Graph graph = annotated(surface_of(grid(2, 2)),
-                          RS::Partition::from_labels(std::vector<int>{0, 1, 2, 2}));
-  EXPECT_EQ(graph[*graph.section(0, 2)].number_of_adjacencies, 1u);
-  EXPECT_EQ(graph[*graph.section(1, 2)].number_of_adjacencies, 1u);
-  graph.merge(*graph.section(0, 1));
-  ASSERT_EQ(graph.number_of_sections(), 1u);
-  EXPECT_EQ(graph[*edges(graph).first].number_of_adjacencies, 2u);
-  EXPECT_EQ(graph[*edges(graph).first].length, 1); // 2 of a surface of area 4
-}
-
 TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
 {
   // A box on a plate: 4 concave edges of pi / 2, which count as 0.6. Inside out they are convex,
@@ -430,27 +325,6 @@ TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_ot
   const auto& section = graph[*graph.section(0, 1)];
   EXPECT_GT(section.length, 0);
   EXPECT_DOUBLE_EQ(section.bend, -std::acos(-1.0) * section.length);
-}
-
-TEST(Visibility_annotator_test, annotating_again_changes_nothing)
-{
-  const RS::Surface mesh = surface_of(random_mesh(Family::BLOCKS, 2));
-  const RS::Surface_patches patches = patches_of(mesh);
-  const RS::Partition regions = composed(patches.fine.of_elements(),
-                                         RS::Superfacets(30)(mesh, patches));
-  const Graph once = annotated(mesh, regions);
-  Graph twice = once;
-  annotate(twice, mesh, regions);
-  ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
-  for (auto range = vertices(once); range.first != range.second; ++range.first) {
-    EXPECT_EQ(twice[*range.first].area, once[*range.first].area);
-    EXPECT_EQ(twice[*range.first].log_thickness, once[*range.first].log_thickness);
-    EXPECT_EQ(twice[*range.first].visibility, once[*range.first].visibility);
-  }
-  for (auto range = edges(once); range.first != range.second; ++range.first) {
-    EXPECT_EQ(twice[*range.first].visibility, once[*range.first].visibility);
-    EXPECT_EQ(twice[*range.first].bend, once[*range.first].bend);
-  }
 }
 
 TEST(Visibility_annotator_test, a_surface_without_area_is_left_as_it_is)

@@ -14,8 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -23,16 +21,10 @@ using namespace test;
 
 namespace Visibility_merging_test {
 
-template <typename Parameters>
-Labels segment_into(const Soup& soup, std::size_t k, const Parameters& np)
-{
-  return segments_of(to_surface_mesh(soup),
-                     np.number_of_segments(k).method(RS::Visibility_merging()));
-}
-
 Labels segment_into(const Soup& soup, std::size_t k)
 {
-  return segment_into(soup, k, RS::parameters::default_values());
+  return segments_of(to_surface_mesh(soup),
+                     RS::parameters::number_of_segments(k).method(RS::Visibility_merging()));
 }
 
 Labels segment_automatically(const Soup& soup)
@@ -87,99 +79,6 @@ TEST(Visibility_merging_test, finds_the_balls_of_a_caterpillar_at_any_resolution
   }
 }
 
-TEST(Visibility_merging_test, bears_noise)
-{
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE(seed);
-    Labels truth;
-    Soup soup = caterpillar(5, truth);
-    std::mt19937 random(seed);
-    bump(soup, 0.002, random);
-    EXPECT_LT(RS::rand_index_distance(segment_into(soup, 4), truth), 0.06);
-  }
-}
-
-TEST(Visibility_merging_test, segmentations_nest_down_to_the_faces)
-{
-  for (Family family : all_families) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 5);
-    const std::size_t faces = number_of_proper_faces(soup);
-    Labels coarse;
-    for (std::size_t k = 1; k <= faces; k += 1 + k / 8) {
-      const Labels fine = segment_into(soup, k, RS::parameters::component_links(false));
-      EXPECT_TRUE(is_connected(soup, fine));
-      EXPECT_EQ(number_of(fine), std::max(k, number_of_components(soup)));
-      if (!coarse.empty()) {
-        EXPECT_TRUE(nests(fine, coarse));
-      }
-      coarse = fine;
-      EXPECT_EQ(number_of(segment_into(soup, k)), k) << "with links";
-    }
-    EXPECT_EQ(number_of(segment_into(soup, faces)), faces);
-    EXPECT_EQ(number_of(segment_into(soup, 2 * faces)), faces);
-  }
-}
-
-TEST(Most_central_test, is_the_partition_with_the_smallest_sum_of_distances)
-{
-  const unsigned seed = std::random_device()();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::set<std::size_t> places;
-  for (int round = 0; round < 200; ++round) {
-    std::vector<RS::Partition> partitions;
-    std::vector<std::int64_t> weights;
-    const std::size_t size = 1 + random() % 20;
-    for (std::size_t e = 0; e < size; ++e)
-      weights.push_back(std::int64_t(random() % 5));
-    for (int i = 0; i < 5; ++i) {
-      std::vector<std::size_t> labels;
-      for (std::size_t e = 0; e < size; ++e)
-        labels.push_back(random() % 4);
-      partitions.push_back(RS::Partition::from_labels(labels));
-    }
-    std::vector<std::int64_t> sums(partitions.size());
-    for (std::size_t i = 0; i < partitions.size(); ++i)
-      for (const RS::Partition& other : partitions)
-        for (std::size_t e = 0; e < size; ++e)
-          for (std::size_t f = 0; f < size; ++f)
-            if ((partitions[i][e] == partitions[i][f]) != (other[e] == other[f]))
-              sums[i] += weights[e] * weights[f];
-    const std::size_t place = RS::internal::most_central(partitions, weights);
-    EXPECT_EQ(place, std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin()));
-    places.insert(place);
-  }
-  EXPECT_EQ(places.size(), 5u);
-}
-
-TEST(Visibility_merging_test, takes_one_of_the_draws_and_not_always_the_same)
-{
-  std::set<std::size_t> places;
-  for (unsigned seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    Soup soup = triangulated(torus(60, 30));
-    bump(soup, 0.05, random);
-    const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
-    RS::Visibility_merging method;
-    const RS::Visibility_merging::Prepared prepared = method.prepare(surface);
-    const std::vector<RS::Partition> draws = method.superfacets.draws(prepared.shape(surface),
-                                                                      prepared.patches, 5);
-    ASSERT_EQ(draws.size(), 5u);
-    std::size_t place = 0;
-    while (place < 5 &&
-           composed(prepared.patches.fine.of_elements(), draws[place]) != prepared.regions)
-      ++place;
-    EXPECT_LT(place, 5u);
-    places.insert(place);
-    method.number_of_draws = 1;
-    EXPECT_EQ(method.prepare(surface).regions,
-              composed(prepared.patches.fine.of_elements(), draws[0]));
-  }
-  EXPECT_GT(places.size(), 1u);
-}
-
 TEST(Visibility_merging_test, splits_superfacets_where_more_are_wanted)
 {
   const Soup soup = sphere(4); // 2,048 faces
@@ -190,18 +89,6 @@ TEST(Visibility_merging_test, splits_superfacets_where_more_are_wanted)
     EXPECT_TRUE(is_connected(soup, fine));
     EXPECT_TRUE(nests(fine, coarse));
     coarse = fine;
-  }
-}
-
-TEST(Visibility_merging_test, does_not_depend_on_place_and_size)
-{
-  // By powers of two and multiples of the grid of coordinates nothing is rounded.
-  for (Family family : {Family::BLOCKS, Family::TORUS, Family::SPHERE}) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 2);
-    const Labels labels = segment_into(soup, 5);
-    EXPECT_EQ(segment_into(scaled(soup, 1024), 5), labels);
-    EXPECT_EQ(segment_into(translated(soup, 4096, -1024, 512), 5), labels);
   }
 }
 
@@ -224,31 +111,6 @@ TEST(Visibility_merging_test, gives_something_sensible_where_there_is_nothing)
   Soup point = triangle; // all faces degenerate
   point.points = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   EXPECT_EQ(segment_automatically(point), Labels{0});
-}
-
-TEST(Visibility_merging_test, never_merges_across_a_constrained_line)
-{
-  const Soup soup = grid(8, 4);
-  Surface_mesh mesh = to_surface_mesh(soup);
-  auto constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:c", false).first;
-  for (auto e : mesh.edges())
-    if (const auto p = mesh.point(mesh.vertex(e, 0)), q = mesh.point(mesh.vertex(e, 1));
-        p.x() == 3 && q.x() == 3)
-      constrained[e] = true;
-  auto map = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-  const auto np = RS::parameters::edge_is_constrained_map(constrained)
-                    .method(RS::Visibility_merging());
-  EXPECT_EQ(RS::segment(mesh, map, np.number_of_segments(1)), 2u);
-  for (std::size_t f = 0; f < 32; ++f)
-    EXPECT_EQ(map[Surface_mesh::Face_index(unsigned(f))], f % 8 < 3 ? 0u : 1u);
-}
-
-TEST(Visibility_merging_test, needs_no_number)
-{
-  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
-  const Result chosen = run(mesh, RS::parameters::method(RS::Visibility_merging()));
-  EXPECT_EQ(chosen.segments,
-            labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
 }
 
 TEST(Visibility_merging_test, constants_are_members_of_its_parts)

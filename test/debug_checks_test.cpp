@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <map>
-#include <string>
 
 #ifdef CGAL_NO_PRECONDITIONS
 #error "this file is about CGAL's preconditions"

@@ -20,7 +20,6 @@
 #include <map>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -152,28 +151,6 @@ TEST(Describe_segments_test, weighs_the_angles_of_one_joint_by_length)
   EXPECT_DOUBLE_EQ(d[0].neighbors[0].border_length, 4);
   EXPECT_NEAR(d[0].neighbors[0].mean_signed_deviation, 3. / 4 * pi / 2, 1e-12);
   EXPECT_DOUBLE_EQ(d[0].boundary_length, 3 + 1);
-}
-
-TEST(Describe_segments_test, volumes_add_up)
-{
-  // The two cubes and the bar of a dumbbell: borders are plane loops of two segments.
-  const Soup soup = mapped(dumbbell(), moved);
-  Labels labels;
-  for (const Polygon& polygon : dumbbell().polygons) {
-    double x = 0;
-    for (std::size_t v : polygon)
-      x += dumbbell().points[v][0] / double(polygon.size());
-    labels.push_back(x < 3.01 ? 0 : x < 4.99 ? 1 : 2);
-  }
-  // The sides of the cubes from which the bar starts belong to the cubes.
-  const auto d = descriptions_of(soup, labels);
-  ASSERT_EQ(d.size(), 3u);
-  EXPECT_NEAR(d[0].volume, 27, 1e-9);
-  EXPECT_NEAR(d[1].volume, 2, 1e-9);
-  EXPECT_NEAR(d[2].volume, 27, 1e-9);
-  EXPECT_NEAR(d[1].volume_share, 2. / 56, 1e-12);
-  EXPECT_EQ(description_of(grid(2, 2)).volume, 0);
-  EXPECT_EQ(description_of(grid(2, 2)).volume_share, 0);
 }
 
 TEST(Describe_segments_test, volumes_add_up_where_three_segments_meet)
@@ -510,22 +487,6 @@ TEST(Describe_segments_test, a_surface_inside_out_is_described_as_if_it_were_not
   EXPECT_NEAR(box.area, 6, 1e-12);
   EXPECT_NEAR(box.volume, 1, 1e-12);
   EXPECT_EQ(box.volume_share, 1);
-  for (Family family : {Family::SPHERE, Family::TORUS, Family::BLOCKS}) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 5);
-    const Labels labels = random_labels(soup, 3, 5);
-    const std::vector<Description> expected = descriptions_of(soup, labels),
-                                   found = descriptions_of(reversed(soup), labels);
-    ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_NEAR(found[i].area, expected[i].area, 1e-9 * expected[i].area);
-      EXPECT_NEAR(found[i].volume, expected[i].volume, 1e-9 * std::pow(expected[i].area, 1.5));
-      EXPECT_NEAR(found[i].volume_share, expected[i].volume_share, 1e-9);
-      // The minimum is flat where faces are of random segments.
-      EXPECT_NEAR(found[i].surface_error(), expected[i].surface_error(),
-                  1e-3 * std::sqrt(expected[i].area));
-    }
-  }
 }
 
 TEST(Describe_segments_test, an_area_of_zero_stays_zero_where_others_are_infinite)
@@ -538,20 +499,6 @@ TEST(Describe_segments_test, an_area_of_zero_stays_zero_where_others_are_infinit
   EXPECT_EQ(found[0].volume, std::numeric_limits<double>::infinity());
   EXPECT_EQ(found[1].area, 0);
   EXPECT_EQ(found[1].volume, 0);
-}
-
-TEST(Describe_segments_test, is_the_same_on_every_mesh_type)
-{
-  const Soup soup = random_mesh(Family::BLOCKS, 2);
-  const Labels labels = random_labels(soup, 5, 2);
-  const auto a = descriptions_of(soup, labels);
-  const auto b = descriptions_of<CGAL::Polyhedron_3<Kernel>>(soup, labels);
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].area, b[i].area);
-    EXPECT_EQ(a[i].volume, b[i].volume);
-    EXPECT_EQ(a[i].surface_errors, b[i].surface_errors);
-  }
 }
 
 TEST(Describe_segments_test, bears_surfaces_without_extent)

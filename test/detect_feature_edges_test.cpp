@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 namespace detect_feature_edges_test {
@@ -39,15 +38,6 @@ std::size_t number_of_features(const Soup& soup, Feature_convexity convexity, do
 {
   return features(soup, RS::parameters::feature_convexity(convexity).maximum_angle(maximum_angle))
     .size();
-}
-
-TEST(Detect_feature_edges_test, cube_has_twelve_convex_edges)
-{
-  for (const Soup& soup : {cube(), triangulated(cube())}) { // the diagonals are flat
-    EXPECT_EQ(number_of_features(soup, Feature_convexity::ALL, 30), 12u);
-    EXPECT_EQ(number_of_features(soup, Feature_convexity::CONVEX, 30), 12u);
-    EXPECT_EQ(number_of_features(soup, Feature_convexity::CONCAVE, 30), 0u);
-  }
 }
 
 TEST(Detect_feature_edges_test,
@@ -87,52 +77,12 @@ TEST(Detect_feature_edges_test, defaults_are_concave_and_the_bound_of_the_paper)
   EXPECT_EQ(features(valley(-bound - 1e-6), defaults).size(), borders) << "a ridge";
 }
 
-TEST(Detect_feature_edges_test, l_shape_has_one_concave_edge)
-{
-  const Soup soup = l_shape();
-  const auto found = features(soup, RS::parameters::maximum_angle(30.0));
-  ASSERT_EQ(found.size(), 1u);
-  for (std::size_t v : {found.begin()->first, found.begin()->second}) {
-    EXPECT_EQ(soup.points[v][0], 1);
-    EXPECT_EQ(soup.points[v][1], 1);
-  }
-}
-
-TEST(Detect_feature_edges_test, borders_are_features_and_nothing_else_of_a_flat_sheet)
-{
-  for (Feature_convexity c :
-       {Feature_convexity::ALL, Feature_convexity::CONVEX, Feature_convexity::CONCAVE})
-    EXPECT_EQ(number_of_features(grid(4, 2), c, 0), 12u); // of 22
-}
-
 TEST(Detect_feature_edges_test, sign_zero_counts_under_all_alone)
 {
   // Folded flat: the normals are opposite, their product is 0.
   EXPECT_EQ(number_of_features(pillow(), Feature_convexity::ALL, 30), 4u);
   EXPECT_EQ(number_of_features(pillow(), Feature_convexity::CONVEX, 30), 0u);
   EXPECT_EQ(number_of_features(pillow(), Feature_convexity::CONCAVE, 30), 0u);
-}
-
-TEST(Detect_feature_edges_test, edges_of_a_degenerate_face_are_no_features)
-{
-  EXPECT_EQ(number_of_features(cap(), Feature_convexity::ALL, 0), 4u); // the borders
-  // On the ridge 2 3 = 2 4, both edges belong to the needle; 3 4 is a border.
-  const auto found = features(needle_on_crease(),
-                              RS::parameters::feature_convexity(Feature_convexity::ALL));
-  EXPECT_FALSE(found.count({2, 3}));
-  EXPECT_FALSE(found.count({2, 4}));
-  EXPECT_TRUE(found.count({3, 4}));
-  EXPECT_EQ(found.size(), 7u);
-}
-
-TEST(Detect_feature_edges_test, constrained_edges_are_features)
-{
-  const Soup soup = grid(4, 2);
-  const Surface_mesh mesh = to_surface_mesh(soup);
-  const auto found = features(
-    soup, RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{2, 7}})));
-  EXPECT_TRUE(found.count({2, 7}));
-  EXPECT_EQ(found.size(), 13u);
 }
 
 TEST(Detect_feature_edges_test, a_polygon_has_one_normal)
@@ -225,21 +175,6 @@ TEST(Detect_feature_edges_test, far_from_the_origin_edges_are_those_of_the_refer
           expected.insert(edge);
       EXPECT_EQ(features(mesh, RS::parameters::maximum_angle(5)), expected);
     }
-}
-
-struct Patient_visitor
-{
-  bool go_further(const char*, double) { return true; }
-};
-
-TEST(Detect_feature_edges_test, a_visitor_changes_nothing)
-{
-  Patient_visitor visitor;
-  for (Family family : all_families) {
-    const Soup mesh = random_mesh(family, 1);
-    const auto np = RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(20);
-    EXPECT_EQ(features(mesh, np.visitor(std::ref(visitor))), features(mesh, np)) << name(family);
-  }
 }
 
 TEST(Detect_feature_edges_test, takes_an_empty_mesh)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "meshes.h"
+
 #include <CGAL/Region_segmentation/evaluation.h>
 
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -12,12 +13,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
-#include <functional>
 #include <limits>
 #include <list>
 #include <map>
@@ -31,36 +30,13 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace evaluation_test {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Surface_mesh = CGAL::Surface_mesh<Point>;
+using namespace test;
+using Point_3 = Kernel::Point_3;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Face = Surface_mesh::Face_index;
 using Labels = std::vector<int>;
 
 // ---------------------------------------------------------------------------------- fixtures
-
-template <typename Mesh>
-using Face_of = typename boost::graph_traits<Mesh>::face_descriptor;
-
-template <typename Mesh>
-Mesh make_mesh(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& faces)
-{
-  using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
-  Mesh mesh;
-  std::vector<vertex_descriptor> vertices;
-  for (const Point& p : points) {
-    vertices.push_back(add_vertex(mesh));
-    put(get(CGAL::vertex_point, mesh), vertices.back(), p);
-  }
-  for (const std::vector<std::size_t>& face : faces) {
-    std::vector<vertex_descriptor> corners;
-    for (std::size_t i : face)
-      corners.push_back(vertices[i]);
-    CGAL::Euler::add_face(corners, mesh);
-  }
-  return mesh;
-}
 
 /// A strip of quads, with a border; face f has width 1, 2, 3, 4 and height 2:
 ///
@@ -68,73 +44,40 @@ Mesh make_mesh(const std::vector<Point>& points, const std::vector<std::vector<s
 ///   | 0 |  1   |    2    |     3      |
 ///   0---1------2---------3------------4  y = 0
 ///   x=0 1      3         6            10
-template <typename Mesh>
-Mesh make_strip()
+Soup strip()
 {
-  std::vector<Point> points;
-  for (double y : {0., 2.})
-    for (double x : {0., 1., 3., 6., 10.})
-      points.emplace_back(x, y, 0);
-  std::vector<std::vector<std::size_t>> faces;
-  for (std::size_t i = 0; i < 4; ++i)
-    faces.push_back({i, i + 1, i + 6, i + 5});
-  return make_mesh<Mesh>(points, faces);
+  return mapped(grid(4, 1), [](const Point& p) {
+    return Point{p[0] * (p[0] + 1) / 2, 2 * p[1], 0};
+  });
 }
 
 /// A wavy torus of nu x nv quads, every third of them split in two triangles: closed.
-template <typename Mesh>
-Mesh make_torus(std::size_t nu, std::size_t nv)
+Soup wavy_torus(std::size_t nu, std::size_t nv)
 {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < nu; ++i)
-    for (std::size_t j = 0; j < nv; ++j) {
-      const double u = 2 * CGAL_PI * double(i) / double(nu),
-                   v = 2 * CGAL_PI * double(j) / double(nv);
-      const double r = 1 + 0.2 * std::sin(3 * u);
-      points.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
-                          r * std::sin(v));
+  const Soup quads = mapped(torus(nu, nv), [](const Point& p) {
+    const double s = 1 + 0.1 * std::sin(3 * std::atan2(p[1], p[0]));
+    return Point{s * p[0], s * p[1], s * p[2]};
+  });
+  Soup soup{quads.points, {}};
+  for (const Polygon& q : quads.polygons)
+    if (soup.polygons.size() % 3 == 0) {
+      soup.polygons.push_back({q[0], q[1], q[2]});
+      soup.polygons.push_back({q[0], q[2], q[3]});
+    } else {
+      soup.polygons.push_back(q);
     }
-  std::vector<std::vector<std::size_t>> faces;
-  for (std::size_t i = 0; i < nu; ++i)
-    for (std::size_t j = 0; j < nv; ++j) {
-      const std::size_t i1 = (i + 1) % nu, j1 = (j + 1) % nv;
-      const std::array<std::size_t, 4> q = {i * nv + j, i1 * nv + j, i1 * nv + j1, i * nv + j1};
-      if ((i * nv + j) % 3 == 0) {
-        faces.push_back({q[0], q[1], q[2]});
-        faces.push_back({q[0], q[2], q[3]});
-      } else {
-        faces.push_back({q[0], q[1], q[2], q[3]});
-      }
-    }
-  return make_mesh<Mesh>(points, faces);
+  return soup;
 }
 
-/// Labels in the order of the faces, as a map that owns them and returns values.
-template <typename Mesh, typename Label = int>
-struct Label_map
-{
-  using key_type = Face_of<Mesh>;
-  using value_type = Label;
-  using reference = Label;
-  using category = boost::readable_property_map_tag;
-
-  template <typename Range>
-  Label_map(const Mesh& mesh, const Range& labels)
-  {
-    auto label = std::begin(labels);
-    for (auto f : faces(mesh))
-      m_labels[f] = Label(*label++);
-  }
-  friend Label get(const Label_map& map, const key_type& f) { return map.m_labels.at(f); }
-
-private:
-  std::map<key_type, Label> m_labels;
-};
-
+/// Labels in the order of the faces.
 template <typename Mesh, typename Label>
-Label_map<Mesh, Label> on(const Mesh& mesh, const std::vector<Label>& labels)
+auto on(const Mesh& mesh, const std::vector<Label>& labels)
 {
-  return Label_map<Mesh, Label>(mesh, labels);
+  auto map = get(CGAL::dynamic_face_property_t<Label>(), mesh);
+  auto label = labels.begin();
+  for (auto f : faces(mesh))
+    put(map, f, *label++);
+  return map;
 }
 
 /// All that the four measures say of two labelings.
@@ -222,7 +165,7 @@ std::vector<double> areas_of(const Surface_mesh& mesh)
 {
   std::vector<double> areas;
   for (Face f : faces(mesh)) {
-    std::vector<Point> p;
+    std::vector<Point_3> p;
     for (auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
       p.push_back(mesh.point(v));
     const auto n = CGAL::cross_product(p[2] - p[0], p.back() - p[1]);
@@ -340,12 +283,6 @@ double mean_cut_distance(const std::vector<std::vector<double>>& distances,
 
 // ---------------------------------------------------------------------------- hand-computed
 
-template <typename Mesh>
-class On_mesh_type : public testing::Test
-{};
-using Mesh_types = testing::Types<Surface_mesh, Polyhedron>;
-TYPED_TEST_SUITE(On_mesh_type, Mesh_types);
-
 /// a: | 0 | 0    | 1       | 1          |    cut at x = 3
 /// b: | 0 | 1    | 1       | 1          |    cut at x = 1
 ///
@@ -353,9 +290,9 @@ TYPED_TEST_SUITE(On_mesh_type, Mesh_types);
 ///   i=0    1   1    2    i=0        1   2    3
 ///   i=1    0   2    2    i=1        0   7    7
 ///          1   3    4               1   9   10
-TYPED_TEST(On_mesh_type, a_strip_by_hand)
+TEST(Measures, a_strip_by_hand)
 {
-  const TypeParam mesh = make_strip<TypeParam>();
+  const Surface_mesh mesh = to_surface_mesh(strip());
   const Scores s = scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1});
 
   EXPECT_DOUBLE_EQ(s.rand, (2 + 3 - 2 * 1) / 6.);
@@ -377,19 +314,9 @@ TYPED_TEST(On_mesh_type, a_strip_by_hand)
   EXPECT_DOUBLE_EQ(*s.cut, 2 / 2.4);
 }
 
-/// a: | 0 | 1    | 1       | 0          |    cuts at x = 1 and 6; 0 is not connected
-/// b: | 0 | 1    | 1       | 1          |    cut at x = 1
-TYPED_TEST(On_mesh_type, cut_vertices_of_both_sides_weigh_the_same)
+TEST(Measures, a_mesh_without_faces_or_with_one)
 {
-  const TypeParam mesh = make_strip<TypeParam>();
-  const Scores s = scores(mesh, {0, 1, 1, 0}, {0, 1, 1, 1});
-  ASSERT_TRUE(s.cut.has_value());
-  EXPECT_DOUBLE_EQ(*s.cut, (0 + 0 + 5 + 5 + 0 + 0) / (6 * 2.4));
-}
-
-TYPED_TEST(On_mesh_type, a_mesh_without_faces_or_with_one)
-{
-  const TypeParam empty;
+  const Surface_mesh empty;
   const Scores none = scores(empty, Labels{}, Labels{});
   EXPECT_EQ(none.rand, 0);
   EXPECT_EQ(none.hamming.distance, 0);
@@ -397,15 +324,9 @@ TYPED_TEST(On_mesh_type, a_mesh_without_faces_or_with_one)
   EXPECT_EQ(none.cut, std::nullopt);
   EXPECT_TRUE(is_in_range(none));
 
-  const TypeParam triangle = make_mesh<TypeParam>({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)},
-                                                  {{0, 1, 2}});
+  const Surface_mesh triangle = to_surface_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   const Scores one = scores(triangle, {7}, {-3});
   EXPECT_TRUE(is_same(none, one));
-}
-
-TEST(Rand_index_distance, is_1_between_one_segment_and_a_segment_a_face)
-{
-  EXPECT_EQ(RS::rand_index_distance(Labels{5, 5, 5, 5}, Labels{0, 1, 2, 3}), 1);
 }
 
 TEST(Rand_index_distance, takes_ranges_of_any_kind)
@@ -470,7 +391,7 @@ TEST(Rand_index_distance, takes_a_segment_a_face)
 
 TEST(Measures, agree_with_their_definitions)
 {
-  const Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  const Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
   const std::vector<double> areas = areas_of(mesh), ones(num_faces(mesh), 1);
   const auto distances = all_distances(mesh);
   double unit = 0; // R, which must be the same for all pairs
@@ -506,20 +427,10 @@ TEST(Measures, agree_with_their_definitions)
 TEST(Measures, cut_discrepancy_follows_shortest_paths)
 {
   const std::size_t nx = 12, ny = 9;
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
   std::mt19937 random(11);
-  for (std::size_t y = 0; y <= ny; ++y)
-    for (std::size_t x = 0; x <= nx; ++x)
-      points.emplace_back(double(x) + double(random() % 100) / 250,
-                          double(y) + double(random() % 100) / 250, double(random() % 100) / 100);
-  for (std::size_t y = 0; y < ny; ++y)
-    for (std::size_t x = 0; x < nx; ++x) {
-      const std::size_t i = y * (nx + 1) + x;
-      polygons.push_back({i, i + 1, i + nx + 2});
-      polygons.push_back({i, i + nx + 2, i + nx + 1});
-    }
-  const Surface_mesh mesh = make_mesh<Surface_mesh>(points, polygons);
+  Soup soup = triangulated(grid(nx, ny));
+  bump(soup, 0.25, random);
+  const Surface_mesh mesh = to_surface_mesh(soup);
   const auto distances = all_distances(mesh);
 
   // Two half planes each: the cuts are two lines across the mesh.
@@ -566,41 +477,9 @@ TEST(Measures, cut_discrepancy_follows_shortest_paths)
 
 // ---------------------------------------------------------------------------------- properties
 
-TEST(Measures, are_symmetric)
-{
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
-  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
-    const Scores s = scores(mesh, a, b), t = scores(mesh, b, a);
-    EXPECT_EQ(s.rand, t.rand);
-    EXPECT_EQ(s.hamming.distance, t.hamming.distance);
-    EXPECT_EQ(s.hamming.missing_rate, t.hamming.false_alarm_rate);
-    EXPECT_EQ(s.hamming.false_alarm_rate, t.hamming.missing_rate);
-    EXPECT_EQ(s.cut, t.cut);
-    EXPECT_NEAR(s.consistency.global, t.consistency.global, 1e-14);
-    EXPECT_NEAR(s.consistency.local, t.consistency.local, 1e-14);
-    EXPECT_NEAR(s.consistency.global_by_area, t.consistency.global_by_area, 1e-14);
-    EXPECT_NEAR(s.consistency.local_by_area, t.consistency.local_by_area, 1e-14);
-  });
-}
-
-TEST(Measures, are_0_for_equal_segments)
-{
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
-  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
-    for (const Labels& labels : {a, b}) {
-      const Scores s = scores(mesh, labels, labels);
-      EXPECT_EQ(s.rand, 0);
-      EXPECT_EQ(s.hamming.distance, 0);
-      EXPECT_EQ(s.consistency.global, 0);
-      EXPECT_EQ(s.consistency.global_by_area, 0);
-      EXPECT_EQ(s.cut.value_or(0), 0);
-    }
-  });
-}
-
 TEST(Measures, do_not_depend_on_the_names_of_segments)
 {
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
+  const Surface_mesh mesh = to_surface_mesh(wavy_torus(20, 12));
   for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
     std::vector<std::int64_t> sparse;
     for (int label : a)
@@ -612,54 +491,12 @@ TEST(Measures, do_not_depend_on_the_names_of_segments)
   });
 }
 
-TEST(Measures, forgive_refinements_where_they_should)
-{
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
-  for_random_labelings(num_faces(mesh), [&](const Labels& coarse, const Labels& b) {
-    Labels fine;
-    for (std::size_t f = 0; f < coarse.size(); ++f)
-      fine.push_back(100 * coarse[f] + b[f]);
-    const Scores s = scores(mesh, fine, coarse);
-    EXPECT_EQ(s.consistency.global, 0);
-    EXPECT_EQ(s.consistency.local, 0);
-    EXPECT_EQ(s.consistency.global_by_area, 0);
-    EXPECT_EQ(s.consistency.local_by_area, 0);
-    EXPECT_EQ(s.hamming.false_alarm_rate, 0);
-    EXPECT_EQ(scores(mesh, coarse, fine).hamming.missing_rate, 0);
-  });
-}
-
-/// Each of two parts is refined on another side: GCE sees it, LCE does not.
-TEST(Consistency_error, local_forgives_refinements_in_both_directions)
-{
-  const Surface_mesh mesh = make_strip<Surface_mesh>();
-  const RS::Consistency_error error = scores(mesh, {0, 1, 2, 2}, {5, 5, 6, 7}).consistency;
-  EXPECT_EQ(error.local, 0);
-  EXPECT_EQ(error.local_by_area, 0);
-  EXPECT_DOUBLE_EQ(error.global, 1 / 4.);
-}
-
-TEST(Consistency_error, says_nothing_of_a_single_segment_or_a_segment_a_face)
-{
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
-  Labels one(num_faces(mesh), 3), each(num_faces(mesh));
-  for (std::size_t f = 0; f < each.size(); ++f)
-    each[f] = int(f);
-  for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels&) {
-    for (const Labels& trivial : {one, each}) {
-      const RS::Consistency_error error = scores(mesh, a, trivial).consistency;
-      EXPECT_EQ(error.global, 0);
-      EXPECT_EQ(error.local_by_area, 0);
-    }
-  });
-}
-
 // ------------------------------------------------------------------------- meshes and maps
 
 TEST(Measures, are_the_same_bits_on_every_mesh_type)
 {
-  const Surface_mesh mesh = make_torus<Surface_mesh>(20, 12);
-  const Polyhedron polyhedron = make_torus<Polyhedron>(20, 12);
+  const Surface_mesh mesh = to_surface_mesh(wavy_torus(20, 12));
+  const Polyhedron polyhedron = to_mesh<Polyhedron>(wavy_torus(20, 12));
   for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
     EXPECT_TRUE(is_same(scores(mesh, a, b), scores(polyhedron, a, b)));
   });
@@ -667,7 +504,7 @@ TEST(Measures, are_the_same_bits_on_every_mesh_type)
 
 TEST(Measures, do_not_depend_on_scale)
 {
-  const Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  const Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
   std::mt19937 random(5);
   const Labels a = random_labels(num_faces(mesh), 4, random),
                b = random_labels(num_faces(mesh), 6, random);
@@ -676,9 +513,9 @@ TEST(Measures, do_not_depend_on_scale)
                                                       // double
     Surface_mesh scaled = mesh;
     for (auto v : vertices(scaled)) {
-      const Point& p = mesh.point(v);
-      scaled.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
-                              std::ldexp(p.z(), exponent));
+      const Point_3& p = mesh.point(v);
+      scaled.point(v) = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                std::ldexp(p.z(), exponent));
     }
     const Scores s = scores(scaled, a, b);
     if (exponent > -1000) { // below, small coordinates lose bits
@@ -690,11 +527,13 @@ TEST(Measures, do_not_depend_on_scale)
 
 TEST(Measures, read_points_by_the_map_that_is_given)
 {
-  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  const Surface_mesh mesh = to_surface_mesh(strip());
   const auto a = on(mesh, Labels{0, 0, 1, 1}), b = on(mesh, Labels{0, 1, 1, 1});
   // All faces get width 1: x = 0, 1, 3, 6, 10 becomes 0, 1, 2, 3, 4. Values are returned.
   const auto map = boost::make_function_property_map<Surface_mesh::Vertex_index>(
-    [&](Surface_mesh::Vertex_index v) { return Point(double(v.idx() % 5), mesh.point(v).y(), 0); });
+    [&](Surface_mesh::Vertex_index v) {
+      return Point_3(double(v.idx() % 5), mesh.point(v).y(), 0);
+    });
   const auto np = RS::parameters::vertex_point_map(map);
   EXPECT_DOUBLE_EQ(RS::hamming_distance(mesh, a, b, np).distance, 0.25);
   EXPECT_DOUBLE_EQ(RS::consistency_error(mesh, a, b, np).local_by_area, 0.125);
@@ -704,19 +543,10 @@ TEST(Measures, read_points_by_the_map_that_is_given)
                    1);
 }
 
-TEST(Measures, take_maps_that_are_functions)
-{
-  const Surface_mesh mesh = make_strip<Surface_mesh>();
-  const auto a = boost::make_function_property_map<Face>([](Face f) { return f.idx() >= 2; });
-  const auto b = boost::make_function_property_map<Face>(
-    [](Face f) -> long long { return f.idx() == 0 ? -1 : 1; });
-  EXPECT_TRUE(is_same(scores(mesh, a, b), scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1})));
-}
-
 /// Nothing of a face that was removed, or of a vertex without faces, counts.
 TEST(Measures, ignore_what_was_removed)
 {
-  Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
   auto a = mesh.add_property_map<Face, int>("f:a").first;
   auto b = mesh.add_property_map<Face, int>("f:b").first;
   for (Face f : mesh.faces()) {
@@ -746,7 +576,7 @@ TEST(Measures, ignore_what_was_removed)
 
 TEST(Cut_discrepancy, there_is_none_when_a_side_has_no_cut)
 {
-  const Surface_mesh mesh = make_strip<Surface_mesh>();
+  const Surface_mesh mesh = to_surface_mesh(strip());
   EXPECT_EQ(scores(mesh, {0, 0, 0, 0}, {0, 1, 1, 1}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 1, 1, 1}, {0, 0, 0, 0}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 0, 0, 0}, {1, 1, 1, 1}).cut, std::nullopt);
@@ -755,13 +585,8 @@ TEST(Cut_discrepancy, there_is_none_when_a_side_has_no_cut)
 /// Two pieces, of two triangles each; a cut in one has no path to a cut in the other.
 TEST(Cut_discrepancy, there_is_none_without_a_path)
 {
-  std::vector<Point> points;
-  for (double x : {0., 10.})
-    for (const auto& [dx, y] :
-         {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
-      points.emplace_back(x + dx, y, 0);
-  const Surface_mesh mesh = make_mesh<Surface_mesh>(points,
-                                                    {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  const Surface_mesh mesh = to_surface_mesh(
+    triangulated(joined(grid(1, 1), translated(grid(1, 1), 10, 0, 0))));
   EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 0, 2, 3}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 1, 2, 3}, {0, 1, 2, 2}).cut, std::nullopt);
   EXPECT_EQ(scores(mesh, {0, 1, 2, 2}, {0, 1, 2, 2}).cut, 0);
@@ -769,8 +594,8 @@ TEST(Cut_discrepancy, there_is_none_without_a_path)
 
 TEST(Measures, a_surface_without_area)
 {
-  Surface_mesh mesh = make_strip<Surface_mesh>();
-  for (const Point& p : {Point(0, 0, 0), Point(1, 2, 3)}) {
+  Surface_mesh mesh = to_surface_mesh(strip());
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 2, 3)}) {
     for (auto v : vertices(mesh))
       mesh.point(v) = p;
     const Scores s = scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1});
@@ -784,7 +609,7 @@ TEST(Measures, a_surface_without_area)
 
 TEST(Measures, do_not_depend_on_unused_vertices)
 {
-  Surface_mesh mesh = make_torus<Surface_mesh>(9, 7);
+  Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
   const auto labels_by = [&mesh](std::size_t divisor) {
     Labels labels(num_faces(mesh));
     for (std::size_t f = 0; f < labels.size(); ++f)
@@ -793,7 +618,7 @@ TEST(Measures, do_not_depend_on_unused_vertices)
   };
   const Labels a = labels_by(10), b = labels_by(17);
   const Scores before = scores(mesh, a, b);
-  mesh.add_vertex(Point(1e300, 0, 0));
+  mesh.add_vertex(Point_3(1e300, 0, 0));
   const Scores after = scores(mesh, a, b);
   EXPECT_EQ(after.hamming.distance, before.hamming.distance);
   EXPECT_EQ(after.consistency.global_by_area, before.consistency.global_by_area);
@@ -808,7 +633,7 @@ TEST(Measures, the_cut_discrepancy_of_a_surface_that_is_nearly_a_line_is_a_numbe
   std::vector<Surface_mesh::Vertex_index> v;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 2; ++j)
-      v.push_back(mesh.add_vertex(Point(i, j * width, 0)));
+      v.push_back(mesh.add_vertex(Point_3(i, j * width, 0)));
   for (std::size_t i = 0; i < 3; ++i)
     mesh.add_face(v[2 * i], v[2 * i + 2], v[2 * i + 3], v[2 * i + 1]);
   // The cuts are at 1 and 2, the centroids at 1/2, 3/2 and 5/2: 1 / (2/3).
@@ -820,8 +645,9 @@ TEST(Measures, the_cut_discrepancy_of_a_surface_that_is_nearly_a_line_is_a_numbe
 
 TEST(Measures, tell_a_point_that_is_not_finite)
 {
-  Surface_mesh mesh = make_strip<Surface_mesh>();
-  mesh.point(Surface_mesh::Vertex_index(3)) = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  Surface_mesh mesh = to_surface_mesh(strip());
+  mesh.point(Surface_mesh::Vertex_index(3)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(),
+                                                      0);
   const auto a = on(mesh, Labels{0, 0, 1, 1});
   EXPECT_EQ(RS::rand_index_distance(mesh, a, a), 0); // does not look at points
   EXPECT_THROW(RS::hamming_distance(mesh, a, a), RS::Invalid_input);

@@ -94,41 +94,6 @@ TEST(Extract_feature_lines_test, a_line_from_border_to_border_stays)
             1);
 }
 
-TEST(Extract_feature_lines_test, what_a_removed_line_held_goes_too)
-{
-  // A comb: 6-7-8 with teeth 7-12 and 8-13; nothing closed.
-  EXPECT_EQ(extract(sheet, {{6, 7}, {7, 8}, {7, 12}, {8, 13}}).features, borders(sheet));
-  // A ring with a tail keeps the ring.
-  const std::set<Edge> ring = {{6, 7}, {7, 12}, {11, 12}, {6, 11}};
-  const auto result = extract(sheet, both(ring, {{7, 8}, {8, 13}}));
-  EXPECT_EQ(result.features, both(borders(sheet), ring));
-  EXPECT_EQ(result.lines.size(), 2u);
-}
-
-TEST(Extract_feature_lines_test, two_rings_and_the_line_between_stay)
-{
-  // A line that separates nothing but has no free end: by the definition it stays.
-  //     19--20  21  22  23--24
-  //      |   |           |   |
-  //     10--11--12--13--14--15
-  const Soup wide = grid(8, 4);
-  const std::set<Edge> rings = {{10, 11}, {11, 20}, {19, 20}, {10, 19}, {11, 12}, {12, 13},
-                                {13, 14}, {14, 15}, {15, 24}, {23, 24}, {14, 23}};
-  EXPECT_EQ(extract(wide, rings).features, both(borders(wide), rings));
-  EXPECT_EQ(extract(wide, rings).lines.size(), 3u + 1u); // the border is a line too
-}
-
-TEST(Extract_feature_lines_test, minimum_length_saves_lines_by_their_edges)
-{
-  const std::set<Edge> two = {{6, 7}, {7, 8}}, one = {{11, 12}};
-  const auto with = [&](std::size_t length) {
-    return extract(sheet, both(two, one), RS::parameters::minimum_length(length)).features;
-  };
-  EXPECT_EQ(with(1), both(borders(sheet), both(two, one)));
-  EXPECT_EQ(with(2), both(borders(sheet), two));
-  EXPECT_EQ(with(3), borders(sheet));
-}
-
 TEST(Extract_feature_lines_test, short_lines_go_at_once)
 {
   // Two lines of one edge and one of two from the border meet in 7. Of the short ones neither may
@@ -139,31 +104,6 @@ TEST(Extract_feature_lines_test, short_lines_go_at_once)
   const std::set<Edge> features = {{5, 6}, {6, 7}, {7, 8}, {7, 12}};
   EXPECT_EQ(extract(sheet, features, RS::parameters::minimum_length(std::size_t(2))).features,
             both(borders(sheet), {{5, 6}, {6, 7}}));
-}
-
-TEST(Extract_feature_lines_test, constrained_edges_stay_and_hold_nothing_up)
-{
-  const Surface_mesh mesh = to_surface_mesh(sheet);
-  for (const std::set<Edge>& constrained : {std::set<Edge>{{7, 8}}, {{6, 7}, {7, 8}}, {{2, 7}}}) {
-    const auto result = extract(
-      sheet, both(borders(sheet), constrained),
-      RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
-    EXPECT_EQ(result.features, both(borders(sheet), constrained));
-  }
-  // A line with a free end goes, but for its constrained edges.
-  const auto result = extract(
-    sheet, {{6, 7}, {7, 8}},
-    RS::parameters::edge_is_constrained_map(edge_map(mesh, std::set<Edge>{{7, 8}})));
-  EXPECT_EQ(result.features, both(borders(sheet), {{7, 8}}));
-}
-
-TEST(Extract_feature_lines_test, degenerate_faces_hold_lines)
-{
-  // The cap 0 1 2 is closed towards 0 2 and 2 1, so the line 2 3 between the faces 1 and 2
-  // separates them, though 2 has no other feature edge.
-  const Soup soup = cap();
-  const auto features = both(borders(soup), {{2, 3}});
-  EXPECT_EQ(extract(soup, features).features, features);
 }
 
 TEST(Extract_feature_lines_test, a_mesh_without_features_has_no_lines)
@@ -232,14 +172,6 @@ TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
         std::includes(before.begin(), before.end(), after.features.begin(), after.features.end()));
       EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));
     }
-}
-
-// Borders are always feature edges, whether marked in the map of the user or not.
-TEST(Extract_feature_lines_test, borders_hold_lines_though_they_are_not_marked)
-{
-  const std::set<Edge> across = {{2, 7}, {7, 12}, {12, 17}};
-  const auto result = extract(sheet, across);
-  EXPECT_EQ(regions(sheet, result.features, {}), regions(sheet, across, {}));
 }
 
 TEST(Extract_feature_lines_test, an_edge_of_three_faces_is_a_line)

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <ctime>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -284,15 +282,6 @@ TEST(find_links_test, crossing_boxes_have_about_the_length_of_the_intersection)
     }
 }
 
-TEST(find_links_test, crossing_spheres_have_about_the_length_of_the_circle)
-{
-  for (const std::size_t n : {10, 30, 60}) {
-    SCOPED_TRACE(n);
-    const Soup s = sphere(n);
-    expect_length(together({s, s.moved(0.9, 0.1, 0.03)}), 5.6);
-  }
-}
-
 TEST(find_links_test, a_box_on_another_has_about_the_border_of_the_contact_area)
 {
   for (double gap : {0.0, 0.001, -0.001})
@@ -310,19 +299,6 @@ TEST(find_links_test, a_box_on_another_has_about_the_border_of_the_contact_area)
 TEST(find_links_test, a_contact_of_faces_smaller_than_the_tolerance_has_about_its_border)
 {
   expect_length(together({box(100), box(100).moved(0.052, 0.013, 1)}), 2 * (0.948 + 0.987));
-}
-
-TEST(find_links_test, a_contact_area_that_ends_within_faces_of_both_has_about_its_border)
-{
-  for (std::size_t n : {1, 4, 9})
-    expect_length(together({box(n), box(n).moved(0.52, 0.03, 1)}), 2 * (0.48 + 0.97));
-}
-
-TEST(find_links_test, a_long_contact_has_about_its_length)
-{
-  const auto strip = [](const Double_3& p) { return Double_3{100 * p.x, p.y, p.z}; };
-  expect_length(together({box(3).transformed(strip), box().moved(0, 0, 1).transformed(strip)}),
-                202);
 }
 
 TEST(find_links_test, components_that_coincide_are_linked)
@@ -545,18 +521,6 @@ TEST(find_links_test, lengths_of_contact_hardly_depend_on_the_order_of_faces)
   EXPECT_NEAR(length, checked_length(shuffled), 0.1 * length);
 }
 
-TEST(find_links_test, two_thousand_boxes)
-{
-  Soup row;
-  for (int i = 0; i < 2000; ++i) // a wall of bricks: 50 x 40
-    row.add(box().moved(i % 50 + (i / 50 % 2) * 0.5, 0, i / 50));
-  const Model m(row);
-  const auto links = m.links();
-  check(m, links);
-  EXPECT_LT(links.size(), 5 * row.polygons.size());
-  EXPECT_GT(length_of_contact(links), 2000.0);
-}
-
 TEST(find_links_test, any_finite_coordinates)
 {
   const Soup scene = together(
@@ -590,21 +554,6 @@ TEST(find_links_test, degenerate_faces)
   Soup crossed_by_line = box();
   crossed_by_line.polygons.push_back({0, 0, 1});
   EXPECT_NEAR(checked_length(together({crossed_by_line, box().moved(0, 0, 1), point})), 4, 1e-6);
-}
-
-TEST(find_links_test, many_triangles_that_all_cross)
-{
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  Soup scene;
-  for (int i = 0; i < 1500; ++i) {
-    Soup s;
-    for (int j = 0; j < 3; ++j)
-      s.points.push_back({normal(random), normal(random), normal(random)});
-    s.polygons = {{0, 1, 2}};
-    scene.add(s);
-  }
-  checked_length(scene);
 }
 
 // Each two cross near the origin: 5.5 million pairs.
@@ -672,15 +621,6 @@ TEST(find_links_test, triangles_of_all_sizes)
   const auto links = m.links();
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 4);
   check(m, links);
-}
-
-TEST(find_nesting_test, nested_spheres)
-{
-  const Soup s = sphere(7);
-  const Model m(together({s.scaled(0.5), s, s.scaled(0.1).moved(0.3, 0.2, 0.1), s.moved(5, 0, 0),
-                          s.scaled(0.1).moved(0.7, 0, 0), s.scaled(0.2).moved(1.5, 0, 0),
-                          s.scaled(20), s.moved(30, 0, 0)}));
-  EXPECT_EQ(m.outermost(), (std::vector<Index>{6, 6, 6, 6, 6, 6, 6, 7}));
 }
 
 TEST(find_nesting_test, aligned_boxes)

@@ -80,15 +80,6 @@ TEST(FindSurfaceFaces, CylinderWithHole)
     }
 }
 
-TEST(FindSurfaceFaces, Cone)
-{
-  const std::vector<RS::Fitted_surface<>> s = expect_faces(ring(3, 2, 1, 2, 24, 3));
-  EXPECT_EQ(s[0].kind, Surface_kind::CONE);
-  EXPECT_NEAR(s[0].angle, std::atan(0.5), 1e-7);
-  EXPECT_NEAR(s[0].apex().z, 6, 1e-6);
-  EXPECT_NEAR(s[0].direction.z, -1, 1e-9);
-}
-
 TEST(FindSurfaceFaces, SphereAndTorus)
 {
   const std::vector<RS::Fitted_surface<>> s = expect_faces(dome(2, 24, 7));
@@ -599,32 +590,6 @@ TEST(FindSurfaceFaces, Borders)
   }
   EXPECT_EQ(smooth, 8u);
   EXPECT_EQ(sharp, 16u);
-}
-
-TEST(FindSurfaceFaces, MotionScaleAndOrder)
-{
-  const unsigned seed = 31;
-  SCOPED_TRACE(seed);
-  const Shape bar = filleted_bar(3, 1, 5, 6, 5);
-  for (const double scale : {1e-6, 1.0, 1e6}) {
-    std::mt19937 random(seed);
-    std::vector<std::size_t> order(bar.triangles.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::shuffle(order.begin(), order.end(), random);
-    Shape moved;
-    moved.number_of_faces = bar.number_of_faces;
-    for (const Point& p : bar.points) // a rotation, a translation, a scaling
-      moved.points.push_back(scale * Point{0.36 * p.x + 0.48 * p.y - 0.8 * p.z + 7,
-                                           -0.8 * p.x + 0.6 * p.y - 9,
-                                           0.48 * p.x + 0.64 * p.y + 0.6 * p.z + 20});
-    for (const std::size_t f : order) {
-      Triangle t = bar.triangles[f];
-      std::rotate(t.begin(), t.begin() + f % 3, t.end());
-      moved.triangles.push_back(t);
-      moved.faces.push_back(bar.faces[f]);
-    }
-    EXPECT_NEAR(expect_faces(moved)[1].radius, scale, 1e-7 * scale);
-  }
 }
 
 // In units of the mesh and types of its kernel, also where the surface has another unit.

@@ -169,17 +169,4 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
   EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4)) << "nothing is merged";
 }
 
-TEST(Merge_regions_test, the_policy_is_initialized_and_may_be_a_temporary)
-{
-  Graph g = path(6), other = path(6);
-  const auto tree = RS::merge_regions(g, Shortest_first(), 2);
-  Shortest_first policy;
-  RS::merge_regions(other, policy, 4);
-  Graph again = path(6);
-  const auto second = RS::merge_regions(again, policy, 2);
-  ASSERT_EQ(tree.merges().size(), second.merges().size());
-  for (std::size_t i = 0; i < tree.merges().size(); ++i)
-    EXPECT_EQ(tree.merges()[i].removed, second.merges()[i].removed);
-}
-
 } // namespace merge_regions_test

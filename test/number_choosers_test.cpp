@@ -16,7 +16,6 @@
 #include <cmath>
 #include <memory>
 #include <random>
-#include <string>
 
 namespace number_choosers_test {
 

@@ -12,12 +12,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <random>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace parallel_test {
@@ -112,29 +108,6 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
   }
 }
 
-TEST(Parallel_stages_test, a_surface_inside_out_has_the_features_of_the_other)
-{
-  const Soup soup = torus(600, 250);
-  const Surface_mesh mesh = to_surface_mesh(soup), inside_out = to_surface_mesh(reversed(soup));
-  ASSERT_GT(num_faces(mesh), 2 * RS::internal::blocks_in_range * RS::internal::block_size);
-  const auto count = [](const std::vector<bool>& marks) {
-    return std::count(marks.begin(), marks.end(), true);
-  };
-  const auto detected = [](const Surface_mesh& m, auto tag) {
-    std::vector<bool> marks(num_edges(m));
-    RS::detect_feature_edges<decltype(tag)>(
-      m, boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, m)),
-      RS::parameters::maximum_angle(0.5).feature_convexity(RS::Feature_convexity::CONCAVE));
-    return marks;
-  };
-  const auto expected = count(detected(mesh, CGAL::Sequential_tag()));
-  EXPECT_GT(expected, 0);
-  EXPECT_NE(expected, std::ptrdiff_t(num_edges(mesh)));
-  EXPECT_EQ(count(detected(inside_out, CGAL::Sequential_tag())), expected);
-  EXPECT_EQ(detected(inside_out, CGAL::Parallel_tag()),
-            detected(inside_out, CGAL::Sequential_tag()));
-}
-
 /// What is known of every adjacency, every corner, and the patches.
 template <typename ConcurrencyTag>
 std::vector<double> numbers_read(const Surface_mesh& mesh)
@@ -181,43 +154,13 @@ TEST_P(Parallel_test, reading_gives_the_same_bits)
   }
 }
 
+/// Inside out, so that it is turned.
 Surface_mesh bumpy_torus(unsigned seed)
 {
   Soup soup = torus(150, 60);
   std::mt19937 random(seed);
   bump(soup, 0.01, random);
-  return to_surface_mesh(soup);
-}
-
-/// The hits of rays from some faces to others.
-template <typename ConcurrencyTag>
-std::vector<double> hits_found(const RS::Surface& surface, unsigned seed)
-{
-  const RS::Execution execution{ConcurrencyTag()};
-  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, execution);
-  const RS::internal::Ray_tree tree(surface, patches, surface.centroid(0));
-  std::mt19937 random(seed);
-  std::vector<double> result;
-  for (int i = 0; i < 1000; ++i) {
-    const std::size_t face = random() % surface.number_of_faces();
-    const RS::Double_3 way = surface.centroid(random() % surface.number_of_faces()) -
-                             surface.centroid(face);
-    if (norm(way) == 0)
-      continue;
-    const auto hit = tree.first_hit(surface.centroid(face), (1 / norm(way)) * way,
-                                    RS::Surface::Index(face));
-    result.insert(result.end(), {double(hit.face), hit.distance});
-  }
-  return result;
-}
-
-TEST_P(Parallel_test, rays_hit_the_same_faces)
-{
-  const RS::Surface surface = RS::make_surface(bumpy_torus(GetParam())); // more boxes than one
-                                                                         // thread makes
-  EXPECT_TRUE(hits_found<CGAL::Parallel_tag>(surface, GetParam()) ==
-              hits_found<CGAL::Sequential_tag>(surface, GetParam()))
-    << "seed " << GetParam();
+  return to_surface_mesh(reversed(soup));
 }
 
 TEST_P(Parallel_test, the_default_method_gives_the_same_bits)
@@ -253,92 +196,6 @@ TEST_P(Parallel_test, a_segmenter_gives_the_same_labels)
     parallel.segment(by_face(mesh, a), k);
     sequential.segment(by_face(mesh, b), k);
     EXPECT_EQ(a, b) << "seed " << GetParam() << ", k " << k;
-  }
-}
-
-TEST(Parallel, a_segmenter_is_asked_from_several_threads)
-{
-  const Surface_mesh mesh = to_surface_mesh(torus(60, 30));
-  RS::Two_step method;
-  method.maximum_angle = 1;
-  method.feature_convexity = RS::Feature_convexity::ALL;
-  const RS::Segmenter by_default(mesh);
-  const RS::Segmenter two_step(mesh, RS::parameters::method(method));
-  constexpr std::size_t n = 24;
-  std::vector<std::vector<std::size_t>> labels(2 * n), expected(2 * n);
-  for (std::size_t k = 0; k < n; ++k) {
-    by_default.segment(by_face(mesh, expected[2 * k]), 1 + k);
-    two_step.segment(by_face(mesh, expected[2 * k + 1]), 1 + k);
-  }
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 4);
-  tbb::parallel_for(std::size_t(0), n, [&](std::size_t k) {
-    by_default.segment(by_face(mesh, labels[2 * k]), 1 + k);
-    two_step.segment(by_face(mesh, labels[2 * k + 1]), 1 + k);
-  });
-  EXPECT_EQ(labels, expected);
-}
-
-/// The lowest index of each tree, by search.
-std::vector<std::uint32_t>
-labels_by_search(std::size_t size,
-                 const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs)
-{
-  std::vector<std::vector<std::uint32_t>> neighbors(size);
-  for (const auto& [a, b] : pairs) {
-    neighbors[a].push_back(b);
-    neighbors[b].push_back(a);
-  }
-  const std::uint32_t none = std::uint32_t(size);
-  std::vector<std::uint32_t> labels(size, none), stack;
-  std::uint32_t number = 0;
-  for (std::uint32_t start = 0; start < size; ++start) {
-    if (labels[start] != none)
-      continue;
-    labels[start] = number;
-    stack.assign(1, start);
-    while (!stack.empty()) {
-      const std::uint32_t i = stack.back();
-      stack.pop_back();
-      for (std::uint32_t j : neighbors[i])
-        if (labels[j] == none) {
-          labels[j] = number;
-          stack.push_back(j);
-        }
-    }
-    ++number;
-  }
-  return labels;
-}
-
-TEST_P(Parallel_test, the_forest_numbers_components_by_their_lowest_element)
-{
-  std::mt19937 random(GetParam());
-  const std::size_t size = 100000;
-  for (const std::size_t number_of_pairs : {size / 4, size / 2, size}) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(number_of_pairs);
-    for (auto& [a, b] : pairs) {
-      a = std::uint32_t(random() % size);
-      b = std::uint32_t(random() % size);
-    }
-    RS::internal::Lowest_root_forest forest(size);
-    constexpr std::size_t size_of_range = 10000;
-    const auto is_within = [&](const auto& pair) {
-      return pair.first / size_of_range == pair.second / size_of_range;
-    };
-    tbb::parallel_for(std::size_t(0), size / size_of_range, [&](std::size_t range) {
-      for (const auto& pair : pairs)
-        if (is_within(pair) && pair.first / size_of_range == range)
-          forest.unite(pair.first, pair.second);
-    });
-    for (const auto& pair : pairs)
-      if (!is_within(pair))
-        forest.unite(pair.first, pair.second);
-    const RS::Partition partition = forest.take_partition();
-    EXPECT_EQ(std::vector<std::uint32_t>(partition.begin(), partition.end()),
-              labels_by_search(size, pairs))
-      << "seed " << GetParam();
-    EXPECT_EQ(partition.number_of_parts(),
-              1 + *std::max_element(partition.begin(), partition.end()));
   }
 }
 

@@ -75,32 +75,4 @@ TEST(Parameterization_of_Real_meshes, accepts_segments_opened_by_seams)
   });
 }
 
-TEST(Parameterization_of_Real_meshes, accepts_pieces_cut_along_seams)
-{
-  check_real_meshes(10000, [&](const Surface_mesh& original) {
-    Segmented s(original);
-    auto is_seam = s.mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam").first;
-    RS::mark_segment_seams(s.mesh, s.segment, is_seam);
-    std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
-    RS::split_into_segments(s.mesh, s.segment, std::back_inserter(pieces),
-                            RS::parameters::edge_is_constrained_map(is_seam));
-    EXPECT_EQ(pieces.size(), s.number);
-    for (auto& piece : pieces) {
-      auto uv = piece.mesh.add_property_map<Surface_mesh::Vertex_index, Point_2>("v:uv").first;
-      const auto all = halfedges(piece.mesh);
-      const auto border = std::find_if(all.begin(), all.end(),
-                                       [&](auto h) { return piece.mesh.is_border(h); });
-      if (border == all.end()) {
-        ADD_FAILURE() << "no border";
-        continue;
-      }
-      EXPECT_EQ(
-        SMP::parameterize(piece.mesh, SMP::LSCM_parameterizer_3<Surface_mesh>(), *border, uv),
-        SMP::OK)
-        << "piece " << piece.segment;
-    }
-    return true;
-  });
-}
-
 } // namespace

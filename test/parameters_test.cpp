@@ -103,16 +103,6 @@ TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
   EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::vertex_point_map(flat).maximum_angle(30)), 0u);
 }
 
-TEST(Parameters_test, every_integral_type_is_a_number_of_segments)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  auto map = face_map(mesh);
-  EXPECT_EQ(RS::segment(mesh, map, RS::parameters::number_of_segments(2)), 2u);
-  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(2u)), 2u);
-  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(std::size_t(2))), 2u);
-  EXPECT_EQ(RS::segment(mesh, map, RP::number_of_segments(short(2))), 2u);
-}
-
 TEST(Version_test, the_number_and_the_text_say_the_same)
 {
   char text[32];

@@ -72,16 +72,6 @@ Merges merges(Graph g, Policy policy, std::size_t k = 1)
   return result;
 }
 
-TEST(Longest_flattest_section_test, weighs_length_against_angle)
-{
-  const Graph g = star({{4, 1}, {1, 3}});
-  EXPECT_EQ(chosen(g, 1), 1u) << "length alone";
-  EXPECT_EQ(chosen(g, 0), 2u) << "angle alone";
-  // 0.8 b + 0.25 (1 - b) against 0.2 b + 0.75 (1 - b): equal at 5/11.
-  EXPECT_EQ(chosen(g, 0.46), 1u);
-  EXPECT_EQ(chosen(g, 0.45), 2u);
-}
-
 TEST(Longest_flattest_section_test, equal_sums_go_to_the_lower_neighbor)
 {
   EXPECT_EQ(chosen(star({{2, 1}, {2, 1}, {2, 1}}), 0.1), 1u);
@@ -92,19 +82,6 @@ TEST(Longest_flattest_section_test, zero_over_zero_is_a_half)
 {
   EXPECT_EQ(chosen(star({{0, 0}, {0, 0}}), 0.1), 1u);
   EXPECT_EQ(chosen(star({{0, 0}, {0, 1}}), 0.1), 2u);
-}
-
-TEST(Longest_flattest_section_test, what_may_not_be_merged_still_counts)
-{
-  Graph g = star({{100, pi}, {1, 1}, {2, 1}});
-  g.forbid_merge(*g.section(0, 1));
-  EXPECT_EQ(chosen(g, 0.5), 3u);
-  g.forbid_merge(*g.section(0, 2));
-  g.forbid_merge(*g.section(0, 3));
-  EXPECT_FALSE(RS::longest_flattest_section(g, 0, 0.1));
-  Graph alone;
-  add_region(alone, 1);
-  EXPECT_FALSE(RS::longest_flattest_section(alone, 0, 0.1));
 }
 
 TEST(Longest_flattest_section_test, agrees_with_all_pairs)
@@ -139,20 +116,6 @@ TEST(Longest_flattest_section_test, agrees_with_all_pairs)
     }
     EXPECT_EQ(chosen(g, beta), best);
   }
-}
-
-TEST(Smallest_region_first_test, goes_by_area_then_by_id)
-{
-  // A path 0 - 1 - 2 - 3 with lengths that leave no choice open.
-  Graph g;
-  for (double area : {5, 1, 3, 1})
-    add_region(g, area);
-  add_section(g, 0, 1, 1);
-  add_section(g, 1, 2, 2);
-  add_section(g, 2, 3, 1);
-  // 1 and 3 are equal: 1 first, across the longer section. Then areas 5, 4, 1: 3; then 0 and 1 (5,
-  // 5).
-  EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}, {1, 3}, {0, 1}}));
 }
 
 /// Areas with ties, without any area, of any size, all equal, and infinite.
@@ -244,17 +207,6 @@ TEST(Smallest_region_first_test, leaves_out_what_has_no_number_as_area)
   EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}, {0, 1}}));
 }
 
-TEST(Smallest_region_first_test, passes_over_regions_without_sections)
-{
-  Graph g;
-  for (double area : {0.1, 1.0, 2.0, 0.2})
-    add_region(g, area);
-  add_section(g, 1, 2, 1);
-  add_section(g, 3, 1, 1);
-  g.forbid_merge(*g.section(3, 1));
-  EXPECT_EQ(merges(g, RS::Smallest_region_first()), (Merges{{1, 2}}));
-}
-
 TEST(Smallest_region_first_test, the_cost_is_the_area)
 {
   Graph g = star({{1, 1}, {2, 2}});
@@ -276,30 +228,6 @@ TEST(Planarity_test, is_one_for_a_disc_and_infinite_without_area)
   square.perimeter = 8;
   EXPECT_NEAR(RS::planarity(square), 4 / pi, 1e-15);
   EXPECT_EQ(RS::planarity(RS::Region_geometry()), std::numeric_limits<double>::infinity());
-}
-
-TEST(Least_compact_region_first_test, follows_equation_4)
-{
-  // A triangle of regions: areas 1, 2, 4; planarities by perimeters.
-  const auto triangle = [](std::vector<double> areas, std::vector<double> perimeters) {
-    Graph g;
-    for (std::size_t i = 0; i < 3; ++i)
-      add_region(g, areas[i], perimeters[i]);
-    add_section(g, 0, 1, 1);
-    add_section(g, 1, 2, 1);
-    add_section(g, 0, 2, 1);
-    return g;
-  };
-  // Equal planarity: the smallest area goes, to its lower neighbor.
-  EXPECT_EQ(merges(triangle({4, 2, 1}, {4, std::sqrt(8), 2}), RS::Least_compact_region_first(), 2),
-            (Merges{{0, 2}}));
-  // Equal areas: the largest planarity.
-  EXPECT_EQ(merges(triangle({1, 1, 1}, {2, 9, 3}), RS::Least_compact_region_first(), 2),
-            (Merges{{0, 1}}));
-  // gamma = 0: area alone; gamma = 1: planarity alone.
-  const Graph both = triangle({4, 2, 1}, {30, 2, 1});
-  EXPECT_EQ(merges(both, RS::Least_compact_region_first(0.1, 0), 2), (Merges{{0, 2}}));
-  EXPECT_EQ(merges(both, RS::Least_compact_region_first(0.1, 1), 2), (Merges{{0, 1}}));
 }
 
 TEST(Least_compact_region_first_test, costs_are_means_over_the_other_regions)
@@ -338,15 +266,6 @@ TEST(Least_compact_region_first_test, takes_planarities_of_any_size)
     EXPECT_GE(m.cost, 0);
     EXPECT_LE(m.cost, 1);
   }
-}
-
-TEST(Least_compact_region_first_test, other_components_count_though_they_never_merge)
-{
-  Graph g;
-  for (double area : {1e-3, 1.0, 2.0})
-    add_region(g, area, 0);
-  add_section(g, 1, 2, 1);
-  EXPECT_EQ(merges(g, RS::Least_compact_region_first()), (Merges{{1, 2}}));
 }
 
 struct Length_cost
@@ -538,20 +457,6 @@ TEST(Policy_phases_test, the_first_that_has_no_candidate_ends_merging)
     {RS::Smallest_region_first(), 2}, {{&calls, "second"}, 1}};
   EXPECT_TRUE(merges(g, phases).empty());
   EXPECT_TRUE(calls.empty());
-}
-
-TEST(Policy_phases_test, give_one_tree)
-{
-  Graph g = star({{3, 1}, {1, 1}, {2, 1}, {5, 1}, {4, 1}});
-  const RS::Policy_phases<RS::Smallest_region_first, RS::Lowest_cost_first<Length_cost>> phases{
-    {RS::Smallest_region_first(), 4}, {RS::Lowest_cost_first<Length_cost>(), 1}};
-  const Merges whole = merges(g, phases);
-  ASSERT_EQ(whole.size(), 5u);
-  // Areas 1 .. 6: region 0 goes across its longest section; then the smallest is 2, which has one
-  // section. Then by length: 1, 2, 4.
-  EXPECT_EQ(whole, (Merges{{0, 4}, {0, 1}, {0, 2}, {0, 3}, {0, 5}}));
-  for (std::size_t k = 2; k <= 6; ++k)
-    EXPECT_EQ(merges(g, phases, k), Merges(whole.begin(), whole.begin() + std::ptrdiff_t(6 - k)));
 }
 
 } // namespace policies_test

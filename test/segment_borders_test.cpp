@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
@@ -63,6 +62,7 @@ void check_borders(const Soup& soup, const Labels& labels)
   const std::set<std::size_t> ends = junctions(soup, labels);
   std::set<Edge> covered;
   for (const Border& border : borders_of(mesh, labels)) {
+    EXPECT_LT(border.segment, border.opposite_segment);
     std::vector<std::size_t> line = {source(border.halfedges.front(), mesh)};
     for (auto h : border.halfedges) {
       EXPECT_EQ(source(h, mesh), Surface_mesh::Vertex_index(unsigned(line.back())));
@@ -105,49 +105,6 @@ TEST(Extract_segment_borders_test, covers_every_edge_once_from_junction_to_junct
       const Soup soup = random_mesh(family, seed);
       check_borders(soup, random_labels(soup, 2 + seed, seed));
     }
-}
-
-TEST(Extract_segment_borders_test, finds_the_lines_of_a_cube)
-{
-  const std::vector<Border> borders = borders_of(to_surface_mesh(cube()), {0, 1, 2, 3, 4, 5});
-  EXPECT_EQ(borders.size(), 12u);
-  for (const Border& border : borders) {
-    EXPECT_EQ(border.halfedges.size(), 1u);
-    EXPECT_LT(border.segment, border.opposite_segment);
-    EXPECT_FALSE(border.is_closed);
-  }
-}
-
-TEST(Extract_segment_borders_test, finds_closed_lines)
-{
-  const std::vector<Border> borders = borders_of(to_surface_mesh(box_on_plate()), [] {
-    const Soup soup = box_on_plate();
-    Labels labels; // the box above the plate
-    for (const Polygon& polygon : soup.polygons)
-      labels.push_back(std::all_of(polygon.begin(), polygon.end(),
-                                   [&](std::size_t v) { return soup.points[v][2] >= 1; }) &&
-                           std::any_of(polygon.begin(), polygon.end(),
-                                       [&](std::size_t v) { return soup.points[v][2] > 1; })
-                         ? 7
-                         : 3);
-    return labels;
-  }());
-  ASSERT_EQ(borders.size(), 1u);
-  EXPECT_TRUE(borders[0].is_closed);
-  EXPECT_EQ(borders[0].halfedges.size(), 4u);
-}
-
-TEST(Extract_segment_borders_test, ends_at_the_border_of_the_mesh)
-{
-  // Two squares side by side, and three of which the outer ones share a label.
-  EXPECT_EQ(borders_of(to_surface_mesh(grid(2, 1)), {0, 1}).size(), 1u);
-  const std::vector<Border> borders = borders_of(to_surface_mesh(grid(3, 1)), {0, 1, 0});
-  ASSERT_EQ(borders.size(), 2u);
-  for (const Border& border : borders) {
-    EXPECT_EQ(border.segment, 0u);
-    EXPECT_EQ(border.opposite_segment, 1u);
-    EXPECT_EQ(border.halfedges.size(), 1u);
-  }
 }
 
 TEST(Extract_segment_borders_test, faces_without_a_segment_are_across)

@@ -244,7 +244,7 @@ TEST_P(Properties_test, scaling_by_a_power_of_two_changes_no_bit)
 {
   for_each_mesh(5, [](const Soup& soup, const Options& options, std::mt19937&) {
     const Result expected = run(soup, options);
-    for (int exponent : {-100, -1, 1, 10, 100}) {
+    for (int exponent : {-1000, -600, -1, 10, 600, 1010}) {
       const Result result = run(scaled(soup, std::ldexp(1, exponent)), options);
       expect_same(result, expected);
       ASSERT_EQ(result.tree.merges().size(), expected.tree.merges().size());
@@ -333,8 +333,6 @@ TEST_P(Properties_test, the_first_corner_of_a_face_changes_no_bit)
   });
 }
 
-// Orientation
-
 TEST_P(Closed_surfaces_test, inside_out_have_the_same_labels)
 {
   for_each_mesh(4, [](const Soup& soup, const Options& options, std::mt19937&) {
@@ -350,13 +348,6 @@ TEST_P(Closed_surfaces_test, are_turned_component_by_component)
     expect_same(run(joined(reversed(large), soup), options), expected);
     expect_same(run(joined(reversed(large), reversed(soup)), options), expected);
     expect_same(run(joined(large, reversed(soup)), options), expected);
-  });
-}
-
-TEST_P(Properties_test, a_run_is_repeatable)
-{
-  for_each_mesh(3, [](const Soup& soup, const Options& options, std::mt19937&) {
-    expect_same(run(soup, options), run(soup, options));
   });
 }
 
@@ -381,37 +372,6 @@ INSTANTIATE_TEST_SUITE_P(families, Two_step_properties_test,
                          ::testing::Combine(::testing::Values(Method::TWO_STEP),
                                             ::testing::ValuesIn(all_families)),
                          parameter_name);
-
-// Open surfaces stay as they are: what is convex from one side is concave from the other.
-TEST(Orientation_test, an_open_surface_is_read_as_it_is)
-{
-  std::mt19937 random(1);
-  Soup soup = triangulated(grid(6, 6));
-  bump(soup, 0.3, random);
-  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup)),
-                    other = RS::make_surface(to_surface_mesh(reversed(soup)));
-  std::size_t signs = 0;
-  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
-    EXPECT_EQ(mesh.has_flag(e, RS::Surface::CONVEX), other.has_flag(e, RS::Surface::CONCAVE));
-    EXPECT_EQ(mesh.has_flag(e, RS::Surface::CONCAVE), other.has_flag(e, RS::Surface::CONVEX));
-    signs += mesh.has_flag(e, RS::Surface::CONVEX | RS::Surface::CONCAVE);
-  }
-  EXPECT_GT(signs, 50u);
-}
-
-TEST(Orientation_test, normals_of_a_closed_surface_lead_outward)
-{
-  const Soup outward = cube();
-  for (const Soup& soup :
-       {outward, reversed(outward), translated(reversed(outward), -1e6, 3e5, 1e6)}) {
-    const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup));
-    RS::Double_3 center{0, 0, 0};
-    for (std::size_t f = 0; f < 6; ++f)
-      center = center + (1. / 6) * mesh.centroid(f);
-    for (std::size_t f = 0; f < 6; ++f)
-      EXPECT_GT(dot(mesh.normal(f), mesh.centroid(f) - center), 0);
-  }
-}
 
 // Bad input, and outputs that stay as they were
 
@@ -625,18 +585,6 @@ TEST(Visitor_test, changes_nothing)
   expect_same(run(mesh, options, [&](const auto& np) { return np.visitor(std::ref(visitor)); }),
               run(mesh, options));
   EXPECT_FALSE(visitor.calls.empty());
-}
-
-// Overflow is a degenerate face, not an error.
-TEST(Extreme_input_test, areas_that_overflow)
-{
-  const Soup soup = scaled(random_mesh(Family::SPHERE, 1), 1e200);
-  const Result result = run(soup, Options(3, reference::Convexity::all));
-  EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
-  EXPECT_TRUE(is_connected(soup, result.segments));
-  const Soup tiny = scaled(soup, 1e-320);
-  const Result small = run(scaled(tiny, 1e-150), Options(3, reference::Convexity::all));
-  EXPECT_TRUE(is_numbered_by_first_face(small.segments, small.number_of_segments));
 }
 
 } // namespace segment_properties_test

@@ -33,25 +33,6 @@ namespace RS = CGAL::Region_segmentation;
 using namespace test;
 constexpr auto all = reference::Convexity::all;
 
-TEST(Segment_test, cube)
-{
-  // By hand, faces -x +x -y +y -z +z, ids 0..5, all sections equal. 6 regions, k = 1: step one down
-  // to
-  // 2. All areas are 1: 0 goes, to its lowest neighbor 2 (1 is opposite). Then 1 is the smallest;
-  // of its neighbors 0 (one edge, as the others) the lowest: 0. Then 3: 0 by its three edges; 4: 0.
-  // Step two: 5 is left with 0.
-  const Result result = run(cube(), Options(1, all));
-  ASSERT_EQ(result.tree.merges().size(), 5u);
-  const std::vector<std::uint32_t> removed = {2, 1, 3, 4, 5};
-  for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(result.tree.merges()[i].kept, 0u);
-    EXPECT_EQ(result.tree.merges()[i].removed, removed[i]);
-  }
-  EXPECT_EQ(run(cube(), Options(6, all)).segments, (Labels{0, 1, 2, 3, 4, 5}));
-  EXPECT_EQ(run(cube(), Options(3, all)).number_of_segments, 3u);
-  EXPECT_EQ(run(cube(), Options(6)).number_of_segments, 1u) << "no concave edge";
-}
-
 TEST(Segment_test, dumbbell)
 {
   // Concave: cube of 53 squares, bar of 8, cube of 53. k = 2: step two at once; the bar counts
@@ -71,22 +52,6 @@ TEST(Segment_test, dumbbell)
   EXPECT_EQ(count(two.features), 8u) << "the features separate regions, not segments";
 }
 
-TEST(Segment_test, more_components_than_segments)
-{
-  const Soup soup = joined(cube(), translated(l_shape(), 5, 0, 0));
-  const Result result = run(soup, Options(1, all));
-  EXPECT_EQ(result.number_of_segments, 2u);
-  EXPECT_EQ(result.tree.merges().size(), 14u - 2u);
-  EXPECT_TRUE(is_connected(soup, result.segments));
-}
-
-TEST(Segment_test, fewer_regions_than_segments)
-{
-  EXPECT_EQ(run(l_shape(), Options(5)).number_of_segments, 1u);
-  EXPECT_EQ(run(box_on_plate(), Options(1000)).number_of_segments, 2u);
-  EXPECT_EQ(run(grid(4, 2), Options(3)).number_of_segments, 1u);
-}
-
 TEST(Segment_test, meshes_without_faces_or_with_one)
 {
   EXPECT_EQ(run(Soup(), Options(3)).number_of_segments, 0u);
@@ -100,35 +65,6 @@ TEST(Segment_test, isolated_vertices_do_not_matter)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   mesh.add_vertex(Kernel::Point_3(nan, 1e300, std::numeric_limits<double>::infinity()));
   EXPECT_EQ(run(mesh, Options(3)).segments, run(dumbbell(), Options(3)).segments);
-}
-
-TEST(Segment_test, faces_that_share_several_edges)
-{
-  EXPECT_EQ(run(pillow(), Options(2, all)).segments, (Labels{0, 1}));
-  EXPECT_EQ(run(pillow(), Options(1, all)).segments, (Labels{0, 0}));
-}
-
-TEST(Segment_test, constrained_edges_are_never_merged_across)
-{
-  //     10-11-12-13-14
-  //      | 4| 5| 6| 7|     2-7-12 is constrained
-  //      5--6--7--8--9
-  //      | 0| 1| 2| 3|
-  //      0--1--2--3--4
-  Options options(1, all);
-  options.constrained_edges = {{2, 7}, {7, 12}};
-  const Result result = run(grid(4, 2), options);
-  EXPECT_EQ(result.segments, (Labels{0, 0, 1, 1, 0, 0, 1, 1}));
-  EXPECT_EQ(result.number_of_segments, 2u);
-  EXPECT_TRUE(result.features.at({2, 7}));
-  // Half of the line is no border: the regions meet above it.
-  options.constrained_edges = {{2, 7}};
-  EXPECT_EQ(run(grid(4, 2), options).number_of_segments, 1u);
-  // All edges of a cube.
-  Options closed(1, all);
-  for (const auto& entry : faces_of_edges(cube()))
-    closed.constrained_edges.insert(entry.first);
-  EXPECT_EQ(run(cube(), closed).number_of_segments, 6u);
 }
 
 /// What is said of a method with a constant outside of its range.
@@ -201,16 +137,6 @@ TEST(Segment_test, constants_are_in_their_ranges)
   EXPECT_THROW(RS::Least_compact_region_first(0.1, -3), RS::Invalid_method);
 }
 
-TEST(Segment_test, takes_other_makers_of_regions)
-{
-  const Surface_mesh mesh = to_surface_mesh(l_shape());
-  const auto method = make_user_method(Single_faces(), RS::Smallest_region_first());
-  const Result result = run(mesh, RS::parameters::number_of_segments(14).method(method));
-  EXPECT_EQ(result.number_of_segments, 14u);
-  EXPECT_TRUE(is_numbered_by_first_face(result.regions, 14));
-  EXPECT_EQ(run(mesh, RS::parameters::number_of_segments(4).method(method)).number_of_segments, 4u);
-}
-
 struct Angle_cost // flat sections first
 {
   template <typename Graph>
@@ -227,18 +153,6 @@ TEST(Segment_test, takes_other_policies)
   const auto method = make_user_method(Single_faces(), RS::Lowest_cost_first<Angle_cost>());
   const Result result = run(mesh, RS::parameters::number_of_segments(16).method(method));
   EXPECT_EQ(result.segments, run(dumbbell(), Options(16, all)).regions);
-}
-
-TEST(Segment_test, labels_of_any_integral_type)
-{
-  Surface_mesh mesh = to_surface_mesh(dumbbell());
-  auto small = mesh.add_property_map<Surface_mesh::Face_index, std::uint8_t>("f:s").first;
-  auto sign = mesh.add_property_map<Surface_mesh::Face_index, int>("f:i").first;
-  RS::segment(mesh, small, Options(3).named());
-  RS::segment(mesh, sign, Options(3).named());
-  const Labels expected = run(dumbbell(), Options(3)).segments;
-  EXPECT_EQ(labels_of(mesh, small), expected);
-  EXPECT_EQ(labels_of(mesh, sign), expected);
 }
 
 // Polygons
@@ -352,47 +266,6 @@ TEST(Segment_test, ranges_of_another_size_than_the_polygons_are_refused)
     EXPECT_THROW(segmenter.segment(labels, 2), RS::Invalid_input);
     EXPECT_EQ(labels, Labels(other, 77));
   }
-}
-
-// Squares and areas of such coordinates leave the range of double.
-TEST(Segment_test, labels_do_not_change_at_extreme_scales)
-{
-  RS::Visibility_merging visibility;
-  visibility.superfacets.number = 30;
-  for (Family family : all_families)
-    for (int exponent : {-1050, -600, -100, 100, 600, 1010}) {
-      SCOPED_TRACE(name(family) + ", scaled by 2^" + std::to_string(exponent));
-      const Soup soup = random_mesh(family, 7);
-      const auto mesh = to_surface_mesh(soup),
-                 extreme = to_surface_mesh(scaled(soup, std::ldexp(1.0, exponent)));
-      for (std::size_t k : {2, 9}) {
-        const auto by_visibility = RS::parameters::number_of_segments(k).method(visibility);
-        EXPECT_EQ(segments_of(extreme, by_visibility), segments_of(mesh, by_visibility));
-        const auto by_two_step = RS::parameters::number_of_segments(k).method(RS::Two_step());
-        EXPECT_EQ(segments_of(extreme, by_two_step), segments_of(mesh, by_two_step));
-      }
-    }
-}
-
-// A few coordinates far from the rest: nothing is said of the labels but that they are some.
-TEST(Segment_test, any_finite_coordinates_are_segmented)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 20; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      Soup soup = random_mesh(family, seed);
-      for (std::size_t i = 0; i < 1 + seed % 5; ++i)
-        soup.points[random() % soup.points.size()][random() % 3] = (random() % 2 ? 1 : -1) *
-                                                                   std::ldexp(1.5,
-                                                                              int(random() % 2090) -
-                                                                                1066);
-      const auto mesh = to_surface_mesh(soup);
-      EXPECT_EQ(segments_of(mesh, RS::parameters::default_values()).size(), soup.polygons.size());
-      EXPECT_EQ(
-        segments_of(mesh, RS::parameters::number_of_segments(3).method(RS::Two_step())).size(),
-        soup.polygons.size());
-    }
 }
 
 // Time: a shape that is large in one way takes as long as others of its size.

@@ -173,23 +173,6 @@ TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
   }
 }
 
-TEST(Minimum_cut_test, is_exact_for_many_nodes)
-{
-  // A chain from one terminal to the other, with one weaker link.
-  using Cut = RS::internal::Minimum_cut;
-  constexpr std::size_t number = 12000, weakest = 4321;
-  Cut cut;
-  std::vector<Cut::Node> nodes = {Cut::source};
-  for (std::size_t i = 1; i <= number; ++i) {
-    nodes.push_back(cut.add_node(i % 2));
-    cut.add_edge(nodes[i - 1], nodes[i], i == weakest ? 1 : 1.001);
-  }
-  cut.add_edge(nodes.back(), Cut::sink, 1.001);
-  EXPECT_TRUE(cut.improve());
-  for (std::size_t i = 0; i <= number; ++i)
-    ASSERT_EQ(cut.is_on_source_side(nodes[i]), i < weakest) << i;
-}
-
 TEST(Minimum_cut_test, moves_all_nodes_for_a_cut_that_is_cheaper_by_the_least)
 {
   // A chain of four nodes. Its first edge costs less than the last one by a unit of the capacities,
@@ -353,25 +336,6 @@ TEST(Border_cut_test, finds_the_cheapest_of_all_borders_in_the_band)
   EXPECT_GT(moves, 50u);
 }
 
-TEST(Border_cut_test, reports_no_move_where_it_would_tear_a_piece)
-{
-  // Two rows of three faces: the border between them is expensive, so a face would leave its row.
-  // One at the end can.
-  const RS::Surface mesh = RS::make_surface(to_surface_mesh(grid(3, 2)));
-  const RS::internal::Dual_graph costs(
-    mesh, [](std::size_t) { return true; },
-    [&](std::size_t a) { return mesh.higher_face(a) == mesh.lower_face(a) + 3 ? 9 : 1; });
-  const std::vector<Index> rows = {0, 0, 0, 1, 1, 1}, all = {0, 1, 2, 3, 4, 5}, end = {0}, none;
-  for (const Index movable : {0, 1}) {
-    std::vector<Index> piece_of = rows;
-    RS::internal::Border_cut cut(
-      costs, [](std::size_t, std::size_t) { return 1.0; }, piece_of);
-    EXPECT_EQ(cut.move_border(0, 1, all, 1, [movable](Index f) { return f != movable; }),
-              movable == 0 ? end : none);
-    EXPECT_EQ(piece_of, movable == 0 ? (std::vector<Index>{1, 0, 0, 1, 1, 1}) : rows);
-  }
-}
-
 TEST(Smooth_borders_test, teeth_are_cut_off)
 {
   const Labels labels = smoothed(grid(16, 8), toothed());
@@ -388,31 +352,6 @@ TEST(Smooth_borders_test, does_not_depend_on_the_size_of_the_surface)
   EXPECT_EQ(border_length(grid(16, 4), expected), 4);
   for (double factor : {1. / 16, 1. / 8, 1. / 4}) // 1/8: a surface of area 1
     EXPECT_EQ(smoothed(scaled(grid(16, 4), factor), toothed(16, 4)), expected) << factor;
-}
-
-TEST(Smooth_borders_test, a_straight_border_stays)
-{
-  Labels labels;
-  for (std::size_t f = 0; f < 128; ++f)
-    labels.push_back(f % 16 < 9 ? 7 : 3);
-  EXPECT_EQ(smoothed(grid(16, 8), labels), labels);
-}
-
-TEST(Smooth_borders_test, a_border_falls_into_a_valley)
-{
-  // The sheet is bent up along x = 7, one column beside the straight border.
-  const Soup valley = mapped(grid(16, 8), [](const Point& p) {
-    return Point{p[0], p[1], std::max(0.0, p[0] - 7)};
-  });
-  Labels labels;
-  for (std::size_t f = 0; f < 128; ++f)
-    labels.push_back(f % 16 < 9 ? 0 : 1);
-  const Labels result = smoothed(valley, labels, RS::Minimum_cut_borders{0.3, 1});
-  for (std::size_t f = 0; f < result.size(); ++f)
-    EXPECT_EQ(result[f], f % 16 < 7 ? 0u : 1u) << f;
-  // Seen from the other side it is a ridge, and no edge is cheaper than another.
-  EXPECT_EQ(smoothed(reversed(valley), labels, RS::Minimum_cut_borders{0.3, 1}), labels);
-  EXPECT_EQ(smoothed(valley, labels, borders(0.3, 1, 0)), labels);
 }
 
 TEST(Smooth_borders_test, a_valley_is_chosen_by_the_ratio_of_the_costs)
@@ -468,22 +407,6 @@ TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
     for (std::size_t x = 0; x < 16; ++x)
       EXPECT_EQ(labels[y * 16 + x], toothed()[y * 16 + x]);
   EXPECT_LT(border_length(grid(16, 8), labels), border_length(grid(16, 8), toothed()));
-}
-
-TEST(Smooth_borders_test, a_neck_is_not_cut_through)
-{
-  // Segment 0 is two fields and a path of one square along the end of the sheet; cutting it off
-  // would make the border shorter.
-  const std::size_t nx = 21, ny = 10;
-  Labels labels;
-  for (std::size_t y = 0; y < ny; ++y)
-    for (std::size_t x = 0; x < nx; ++x)
-      labels.push_back(x < 8 || x >= 13 || y == 0 ? 0 : 1);
-  const Soup soup = grid(nx, ny);
-  for (double width : {0.05, 0.1, 0.15, 0.2, 0.4}) {
-    const Labels result = smoothed(soup, labels, RS::Minimum_cut_borders{width, 1});
-    EXPECT_TRUE(is_connected(soup, result)) << width;
-  }
 }
 
 TEST(Smooth_borders_test, keeps_its_promises_on_random_meshes)

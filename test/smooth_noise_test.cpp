@@ -17,8 +17,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace RS = CGAL::Region_segmentation;
 using namespace test;
@@ -46,15 +44,6 @@ Soup noisy(const Soup& soup, double deviation, unsigned seed)
   });
 }
 
-/// Root mean square of the distances of the points from the unit sphere.
-double distance_from_sphere(const RS::Surface& surface)
-{
-  double sum = 0;
-  for (std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    sum += std::pow(norm(surface.point(v)) - 1, 2);
-  return std::sqrt(sum / double(surface.number_of_vertices()));
-}
-
 TEST(smooth_noise_test, leaves_what_has_no_noise)
 {
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {9, 3, 3}));
@@ -64,47 +53,6 @@ TEST(smooth_noise_test, leaves_what_has_no_noise)
     EXPECT_FALSE(smooth_noise(surface_of(soup)));
   }
   EXPECT_FALSE(smooth_noise(RS::Surface()));
-}
-
-TEST(smooth_noise_test, brings_noisy_points_nearer_to_the_shape)
-{
-  for (const std::size_t levels : {4, 5, 6}) {
-    const double edge = 1.8 / double(1 << levels);
-    for (const unsigned seed : {1, 2, 3}) {
-      SCOPED_TRACE(std::to_string(levels) + " levels, seed " + std::to_string(seed));
-      const RS::Surface surface = surface_of(noisy(sphere(levels), edge / 4, seed));
-      const std::optional<RS::Surface> smoothed = smooth_noise(surface);
-      ASSERT_TRUE(smoothed);
-      EXPECT_LT(distance_from_sphere(*smoothed), 0.75 * distance_from_sphere(surface));
-      EXPECT_FALSE(smooth_noise(*smoothed));
-    }
-  }
-}
-
-// Noise of 1/20 of an edge on the faces of a block, whose edges are much higher.
-TEST(smooth_noise_test, points_of_creases_stay)
-{
-  const Soup block = triangulated(voxel_surface(voxel_block({0, 0, 0}, {12, 12, 12})));
-  for (const unsigned seed : {1, 2, 3}) {
-    SCOPED_TRACE(seed);
-    const Soup soup = noisy(block, 0.05, seed);
-    const std::optional<RS::Surface> smoothed = smooth_noise(surface_of(soup));
-    ASSERT_TRUE(smoothed);
-    double before = 0, after = 0; // squared distances from the faces of points inside them
-    for (std::size_t v = 0; v < soup.points.size(); ++v) {
-      const Point &exact = block.points[v], &noisy = soup.points[v];
-      const Point p = {smoothed->point(v).x, smoothed->point(v).y, smoothed->point(v).z};
-      const auto is_on_side = [&](std::size_t i) { return exact[i] == 0 || exact[i] == 12; };
-      if (is_on_side(0) + is_on_side(1) + is_on_side(2) > 1) {
-        EXPECT_EQ(p, noisy);
-        continue;
-      }
-      const std::size_t i = is_on_side(0) ? 0 : is_on_side(1) ? 1 : 2;
-      before += std::pow(noisy[i] - exact[i], 2);
-      after += std::pow(p[i] - exact[i], 2);
-    }
-    EXPECT_LT(after, 0.5 * before);
-  }
 }
 
 // All that depends on points is as if the surface had been made of them, but for lengths.
