@@ -2,8 +2,8 @@
 set(source ${CMAKE_CURRENT_LIST_DIR}/..)
 
 set(doc ${CPACK_TEMPORARY_DIRECTORY}/headers/usr/share/doc/${CPACK_DEBIAN_HEADERS_PACKAGE_NAME})
-foreach(folder IN ITEMS examples examples/pipelines)
-  file(GLOB examples ${source}/${folder}/*.cpp ${source}/${folder}/*.h)
+foreach(folder IN ITEMS examples examples/data examples/pipelines)
+  file(GLOB examples ${source}/${folder}/*.cpp ${source}/${folder}/*.h ${source}/${folder}/*.off)
   file(COPY ${examples} DESTINATION ${doc}/${folder})
 endforeach()
 

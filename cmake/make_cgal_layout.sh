@@ -40,12 +40,11 @@ begin_cmake()
 
 # Examples in one folder.
 examples=$package/examples/$name
-cp "$root"/examples/*.h "$examples"
-sed 's,"\.\./,",' "$root/examples/pipelines/input_mesh.h" >"$examples/input_mesh.h"
+cp -r "$root"/examples/*.h "$root/examples/data" "$examples"
 for file in "$root"/examples/*.cpp "$root"/examples/pipelines/*.cpp; do
-  cp "$file" "$examples/$(basename "$file" .cpp)_example.cpp"
+  sed 's,"\.\./,",' "$file" >"$examples/$(basename "$file" .cpp)_example.cpp"
 done
-with_eigen='^\(partition_spectrally\|parameterize_.*\|.*_part\|primitives\|holes\|fillets\)_example.cpp$'
+with_eigen='^\(partition_spectrally\|parameterize\|machine_part\|primitives\|holes\|fillets\)_example.cpp$'
 {
   begin_cmake Examples
   sources "$examples" | grep -v "$with_eigen" | programs

@@ -6,7 +6,7 @@
 // Commute Times, 2007), and adjacent regions whose points are near each other are merged (Ward:
 // Hierarchical Grouping to Optimize an Objective Function, 1963). Requires Eigen.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
@@ -14,20 +14,14 @@
 #include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iostream>
 #include <limits>
 #include <utility>
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
 /// A model of `SectionData`: two regions attract each other along their border, least in a valley.
@@ -124,14 +118,12 @@ private:
   }
 };
 
-int main()
+int main(int argc, char** argv)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
+  Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   std::cout << RS::segment(mesh, segment_id,
-                           RS::parameters::number_of_segments(3).method(Spectral_partitioning()))
-            << " segments:";
-  for (std::size_t s = 0; s < 3; ++s)
-    std::cout << ' ' << std::count(segment_id.begin(), segment_id.end(), s) << " faces";
-  std::cout << '\n';
+                           RS::parameters::number_of_segments(10).method(Spectral_partitioning()))
+            << " segments\n";
+  write_colored(mesh, segment_id, "partition_spectrally.ply");
 }

@@ -2,25 +2,19 @@
 //
 // What segment() with the method Two_step does, stage by stage; each stage can be used alone.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/region_segmentation_stages.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <iostream>
 #include <iterator>
 #include <vector>
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
-int main()
+int main(int argc, char** argv)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
+  Mesh mesh = read_mesh(argc, argv);
   auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature").first;
   auto region_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region").first;
 
@@ -29,21 +23,19 @@ int main()
             << " feature edges\n";
   std::vector<std::vector<Mesh::Vertex_index>> lines;
   RS::extract_feature_lines(mesh, is_feature, std::back_inserter(lines));
-  for (const auto& line : lines)
-    std::cout << "a feature line of " << line.size() - 1 << " edges, "
-              << (line.front() == line.back() ? "closed\n" : "open\n");
+  std::cout << lines.size() << " feature lines\n";
 
   // Stage 2: what lies between them.
   std::cout << RS::grow_regions(mesh, is_feature, region_id) << " regions\n";
 
-  // Stage 3: merging. The graph knows no mesh.
+  // Stage 3: merging, here until 10 regions are left. The graph knows no mesh.
   auto graph = RS::build_region_adjacency_graph(mesh, region_id);
-  for (auto s : CGAL::make_range(edges(graph)))
-    std::cout << "regions " << source(s, graph) << " and " << target(s, graph) << " share "
-              << graph[s].length << ", mean dihedral angle " << graph[s].mean_angle() << " rad\n";
   const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
-    {RS::Smallest_region_first(), 4}, {RS::Least_compact_region_first(), 2}};
-  const RS::Merge_tree tree = RS::merge_regions(graph, steps, 2);
-  for (const auto& merge : tree.merges())
-    std::cout << "region " << merge.removed << " was merged into " << merge.kept << '\n';
+    {RS::Smallest_region_first(), 20}, {RS::Least_compact_region_first(), 10}};
+  const RS::Merge_tree tree = RS::merge_regions(graph, steps, 10);
+  const RS::Partition segment = tree.partition_at_count(10);
+  for (auto f : faces(mesh))
+    region_id[f] = segment[region_id[f]];
+  std::cout << tree.merges().size() << " merges\n";
+  write_colored(mesh, region_id, "run_the_stages.ply");
 }

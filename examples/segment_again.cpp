@@ -1,50 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mesh is prepared once and asked often: for other numbers of segments, with edges that a person
-// drew, with seeds.
+// A mesh is prepared once and asked often, as for a slider over the number of segments, and for a
+// click on one segment that splits it: all that is shown comes from the merge tree.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/region_segmentation.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
+#include <vector>
 
-#include <iostream>
-
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
-int main()
+/// The segments with one of them split as the tree splits it first.
+RS::Partition split(const RS::Merge_tree& tree, const RS::Partition& segments, std::size_t clicked)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
+  for (std::size_t k = segments.number_of_parts() + 1; k <= segments.size(); ++k) {
+    const RS::Partition finer = tree.partition_at_count(k);
+    std::vector<std::size_t> labels(segments.begin(), segments.end());
+    for (std::size_t r = 0; r < labels.size(); ++r)
+      if (labels[r] == clicked)
+        labels[r] = segments.size() + finer[r];
+    const RS::Partition result = RS::Partition::from_labels(labels);
+    if (result.number_of_parts() > segments.number_of_parts())
+      return result;
+  }
+  return segments; // it is a single region
+}
+
+int main(int argc, char** argv)
+{
+  Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
 
-  RS::Segmenter segmenter(mesh); // reads, annotates and merges
-  std::cout << segmenter.segment(segment_id) << " segments, as many as the method chooses\n";
-  for (std::size_t k : {2, 3, 8})
-    std::cout << segmenter.segment(segment_id, k) << " segments\n"; // in the time of writing labels
+  const RS::Segmenter segmenter(mesh); // reads, prepares and merges
+  for (std::size_t k : {2, 6, 8})      // each in the time of writing labels
+    std::cout << segmenter.segment(segment_id, k) << " segments\n";
 
-  // A loop of edges around the bar, halfway along it, as a person might draw it.
-  auto is_drawn = mesh.add_property_map<Mesh::Edge_index, bool>("e:drawn", false).first;
-  std::size_t number_of_drawn_edges = 0;
-  for (auto e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    is_drawn[e] = mesh.point(source(h, mesh)).x() == 0 && mesh.point(target(h, mesh)).x() == 0;
-    number_of_drawn_edges += is_drawn[e];
-  }
-  segmenter.add_constraints(is_drawn);
-  std::cout << number_of_drawn_edges << " drawn edges: " << segmenter.segment(segment_id, 2)
-            << " segments\n";
-
-  // Two faces that belong together, and one that does not.
-  auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
-  const auto first = *faces(mesh).begin(), last = *std::prev(faces(mesh).end());
-  seed[first] = 0;
-  seed[last] = 1;
-  segmenter.set_seeds(seed);
-  segmenter.segment(segment_id, 2);
-  std::cout << "the first and the last face are in segments " << segment_id[first] << " and "
-            << segment_id[last] << '\n';
+  const RS::Merge_tree& tree = segmenter.merge_tree();
+  const RS::Partition finer = split(tree, tree.partition_at_count(8),
+                                    segment_id[*faces(mesh).begin()]);
+  RS::write_face_values(mesh, RS::composed(segmenter.regions(), finer), segment_id);
+  std::cout << finer.number_of_parts() << " segments after the first one was split\n";
+  write_colored(mesh, segment_id, "segment_again.ply");
 }

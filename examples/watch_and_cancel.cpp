@@ -1,41 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A visitor sees the stages and can end the run; the output is as before then.
+// A visitor sees the progress, and cancels what takes too long; then no label is written.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/region_segmentation.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
+#include <chrono>
+#include <functional>
 
-#include <cstring>
-#include <iostream>
-
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
+using Clock = std::chrono::steady_clock;
 
-/// A model of `SegmentationVisitor` that gives up half way through the merging.
-struct Impatient_visitor
+/// A model of `SegmentationVisitor`.
+struct Time_limit
 {
+  Clock::time_point end;
+
   bool go_further(const char* stage, double fraction)
   {
     std::cout << stage << ": " << 100 * fraction << " %\n";
-    return std::strcmp(stage, "draws") != 0 || fraction < 0.5;
+    return Clock::now() < end;
   }
 };
 
-int main()
+int main(int argc, char** argv)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
+  Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-  Impatient_visitor visitor;
-  try {
-    RS::segment(mesh, segment_id, RS::parameters::number_of_segments(1).visitor(std::ref(visitor)));
-  } catch (const RS::Segmentation_cancelled& e) {
-    std::cout << e.what() << '\n';
-    return 0;
-  }
-  return 1;
+  for (int seconds : {0, 60})
+    try {
+      Time_limit limit{Clock::now() + std::chrono::seconds(seconds)};
+      RS::segment(mesh, segment_id, RS::parameters::visitor(std::ref(limit)));
+      write_colored(mesh, segment_id, "watch_and_cancel.ply");
+    } catch (const RS::Segmentation_cancelled& e) {
+      std::cout << "after " << seconds << " s: " << e.what() << '\n';
+    }
 }

@@ -3,7 +3,7 @@
 // A method of one's own: what does not depend on wishes in prepare(), the rest in merge(). It has a
 // number that it chooses, constraints, seeds, links and a Segmenter like those of the package.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Methods/number_choosers.h>
@@ -14,17 +14,11 @@
 #include <CGAL/Region_segmentation/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
-
 #include <algorithm>
-#include <iostream>
+#include <iterator>
 #include <limits>
 #include <utility>
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
 /// A model of `SegmentationMethod`: facets between all edges of more than 2 degrees, those across
@@ -68,18 +62,17 @@ struct Facet_merging
   }
 };
 
-int main()
+int main(int argc, char** argv)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
-  // A component apart is linked to the nearest one.
-  CGAL::make_tetrahedron(Point(9, 0, 0), Point(9, 1, 0), Point(9, 0, 1), Point(10, 0, 0), mesh);
+  Mesh mesh = read_mesh(argc, argv, "flange.off");
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   auto seed = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:seed", std::size_t(-1)).first;
 
   RS::Segmenter segmenter(mesh, RS::parameters::method(Facet_merging()));
   std::cout << segmenter.regions().number_of_parts() << " facets, " << segmenter.segment(segment_id)
-            << " segments chosen, " << segmenter.segment(segment_id, 5) << " and "
-            << segmenter.segment(segment_id, 1) << " asked for\n";
+            << " segments chosen, " << segmenter.segment(segment_id, 5) << " asked for\n";
+  write_colored(mesh, segment_id, "write_a_method.ply");
+
   seed[*faces(mesh).begin()] = 0;
   seed[*std::prev(faces(mesh).end())] = 1;
   segmenter.set_seeds(seed);

@@ -3,20 +3,14 @@
 // User-defined data of regions, a cost, a policy and a chooser of the number: parts of a method of
 // superfacets.
 
-#include "dumbbell.h"
+#include "example_mesh.h"
 
 #include <CGAL/region_segmentation.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <iostream>
 #include <optional>
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 namespace RS = CGAL::Region_segmentation;
 
 /// A model of `RegionData`: in addition to area and perimeter, the integral of the normal.
@@ -115,9 +109,9 @@ struct Largest_jump
   }
 };
 
-int main()
+int main(int argc, char** argv)
 {
-  Mesh mesh = make_dumbbell<Mesh, Point>();
+  Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
 
   const RS::Superfacet_merging by_cost{Normal_annotator(), RS::Lowest_cost_first(Normal_cost()),
@@ -127,6 +121,7 @@ int main()
   RS::Superfacet_merging by_policy{Normal_annotator(), Flattest_first(), Largest_jump()};
   by_policy.superfacets = RS::Superfacets(200);
   std::cout << RS::segment(mesh, segment_id,
-                           RS::parameters::number_of_segments(3).method(by_policy))
+                           RS::parameters::number_of_segments(10).method(by_policy))
             << " segments by a policy\n";
+  write_colored(mesh, segment_id, "write_a_policy.ply");
 }

@@ -2,7 +2,7 @@
 //
 // The selection of all fillets of a machine part below a radius, the second argument.
 
-#include "input_mesh.h"
+#include "../example_mesh.h"
 
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/make_surface.h>
@@ -22,8 +22,8 @@ double fillet_radius(const RS::Fitted_surface<>& s, RS::Face_role role)
 
 int main(int argc, char** argv)
 {
-  Mesh mesh = input_part(argc, argv);
-  const double limit = argc > 2 ? std::stod(argv[2]) : 0.3;
+  Mesh mesh = read_mesh(argc, argv, "flange.off");
+  const double limit = argc > 2 ? std::stod(argv[2]) : 7;
   auto is_selected = mesh.add_property_map<Mesh::Face_index, bool>("f:is_fillet", false).first;
   const RS::Surface surface = RS::make_surface(mesh);
   const RS::Surface_faces faces = RS::find_surface_faces(surface);
@@ -36,5 +36,5 @@ int main(int argc, char** argv)
       fillets.insert(i);
   }
   std::cout << fillets.size() << " fillets with radii below " << limit << '\n';
-  return argc > 1 || fillets.size() == 1 ? EXIT_SUCCESS : EXIT_FAILURE;
+  write_colored(mesh, is_selected, "fillets.ply");
 }

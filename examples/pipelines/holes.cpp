@@ -3,7 +3,7 @@
 // The holes of a machine part: a table of their radii and axes. Holes with equal numbers of axes
 // are stages of one hole, or opposite each other.
 
-#include "input_mesh.h"
+#include "../example_mesh.h"
 
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 
@@ -14,20 +14,17 @@ namespace RS = CGAL::Region_segmentation;
 
 int main(int argc, char** argv)
 {
-  Mesh mesh = input_part(argc, argv);
+  Mesh mesh = read_mesh(argc, argv, "flange.off");
   auto face_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part_face").first;
   std::vector<RS::Part_face<Kernel>> faces;
   RS::find_part_faces(mesh, face_id, std::back_inserter(faces));
-  bool is_valid = true;
   std::cout << "face  axis  radius  depth  direction\n";
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const RS::Part_face<Kernel>& f = faces[i];
     const RS::Fitted_surface<Kernel>& s = f.surface;
-    if (f.role != RS::Face_role::HOLE || s.kind != RS::Surface_kind::CYLINDER)
-      continue;
-    std::cout << i << "  " << f.first_on_axis << "  " << s.radius << "  " << s.highest - s.lowest
-              << "  " << s.direction << '\n';
-    is_valid = is_valid && s.radius > 0 && s.highest > s.lowest;
+    if (f.role == RS::Face_role::HOLE && s.kind == RS::Surface_kind::CYLINDER)
+      std::cout << i << "  " << f.first_on_axis << "  " << s.radius << "  " << s.highest - s.lowest
+                << "  " << s.direction << '\n';
   }
-  return is_valid ? EXIT_SUCCESS : EXIT_FAILURE;
+  write_colored(mesh, face_id, "holes.ply");
 }

@@ -3,13 +3,14 @@
 // A skeleton of a figure from its region graph: from the middle of each part to the middles of its
 // borders.
 
-#include "input_mesh.h"
+#include "../example_mesh.h"
 
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/region_segmentation.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -19,7 +20,7 @@ namespace RS = CGAL::Region_segmentation;
 
 int main(int argc, char** argv)
 {
-  Mesh mesh = input_mesh(argc, argv);
+  Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const std::size_t n = RS::segment(mesh, segment_id,
                                     RS::parameters::component_links(false)); // joints are edges
@@ -39,10 +40,11 @@ int main(int argc, char** argv)
   };
   const auto graph = RS::build_region_adjacency_graph(mesh, segment_id,
                                                       RS::parameters::component_links(false));
-  for (auto s : CGAL::make_range(edges(graph))) { // as a polyline of CGAL's .polylines.txt
+  std::ofstream out("skeleton.polylines.txt");
+  for (auto s : CGAL::make_range(edges(graph))) {
     const auto [a, b] = std::minmax<std::size_t>({source(s, graph), target(s, graph)});
-    std::cout << "3 " << middle(points_of_part[a]) << ' ' << middle(points_of_joint.at({a, b}))
-              << ' ' << middle(points_of_part[b]) << '\n';
+    out << "3 " << middle(points_of_part[a]) << ' ' << middle(points_of_joint.at({a, b})) << ' '
+        << middle(points_of_part[b]) << '\n';
   }
-  return num_edges(graph) == points_of_joint.size() ? EXIT_SUCCESS : EXIT_FAILURE;
+  std::cout << n << " parts, " << num_edges(graph) << " joints\n";
 }

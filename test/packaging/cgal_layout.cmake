@@ -27,6 +27,7 @@ function(build_and_run kind)
     run(${WORK}/build_${kind}/${program})
   endforeach()
 endfunction()
+set(ENV{CGAL_DATA_DIR} ${package}/examples/Region_segmentation/data)
 build_and_run(examples machine_part_example partition_spectrally_example)
 build_and_run(test Partition_test)
 

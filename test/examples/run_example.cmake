@@ -1,0 +1,33 @@
+# cmake -D PROGRAM=FILE -D EXAMPLE=NAME [-D SAYS=REGEX] [-D MESH=NAME] -P run_example.cmake: runs the example of the program, on
+# a mesh of CGAL's demos if one is named, in a folder of its own. It must write NAME.* there, and say what matches the
+# expression; numbers in its groups must be equal.
+cmake_minimum_required(VERSION 3.18)
+
+set(mesh)
+if(MESH)
+  file(GLOB_RECURSE mesh "$ENV{REGION_SEGMENTATION_REAL_MESHES}/*/${MESH}")
+  if("$ENV{REGION_SEGMENTATION_REAL_MESHES}" STREQUAL "" OR NOT mesh)
+    message(STATUS "REGION_SEGMENTATION_REAL_MESHES names no folder with ${MESH}")
+    return()
+  endif()
+endif()
+set(folder written/${EXAMPLE}${MESH})
+file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${folder})
+execute_process(COMMAND ${PROGRAM} ${EXAMPLE} ${mesh} WORKING_DIRECTORY ${folder}
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+message("${output}${errors}")
+file(GLOB files ${folder}/${EXAMPLE}.*)
+if(NOT result EQUAL 0 OR NOT files)
+  message(FATAL_ERROR "${EXAMPLE} ends with ${result} and writes \"${files}\"")
+endif()
+file(GLOB meshes ${folder}/*.ply)
+foreach(file IN LISTS meshes)
+  file(READ ${file} header LIMIT 500)
+  if(NOT header MATCHES "element face [1-9].*property uchar red")
+    message(FATAL_ERROR "${file} has no colored faces")
+  endif()
+endforeach()
+if(SAYS AND (NOT "${output}" MATCHES "${SAYS}" OR NOT "${CMAKE_MATCH_1}" STREQUAL "${CMAKE_MATCH_2}"))
+  message(FATAL_ERROR "${EXAMPLE} does not say what matches \"${SAYS}\"")
+endif()
