@@ -7,12 +7,12 @@ set -eu
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=${1:-$root/build-web}
 
-packages="cmake emscripten libboost-dev libcgal-dev libeigen3-dev libfast-float-dev libjs-three libtinygltf-dev make nlohmann-json3-dev node-acorn nodejs"
+packages="cmake emscripten libboost-dev libcgal-dev libeigen3-dev libfast-float-dev libjs-three make nlohmann-json3-dev node-acorn nodejs"
 sh "$root/cmake/install_packages.sh" $packages
 
 # The headers alone: beside them in /usr/include are those of the C library of this machine.
 mkdir -p "$build/include"
-ln -sfn /usr/include/boost /usr/include/CGAL /usr/include/eigen3/Eigen /usr/include/fast_float /usr/include/tiny_gltf.h /usr/include/nlohmann \
+ln -sfn /usr/include/boost /usr/include/CGAL /usr/include/eigen3/Eigen /usr/include/fast_float /usr/include/nlohmann \
   "$build/include"
 
 export NODE_PATH="/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}" # acorn, which shortens the scripts

@@ -337,8 +337,6 @@ TEST_F(Written, coordinates_that_a_format_cannot_have_are_refused)
 {
   for (const auto& [name, scale] : std::vector<std::pair<std::string, double>>{
          {"a.glb", 1e300}, {"a.glb", 1e-300}, {"a.3mf", 1e40}, {"a.stl", 1e40}}) {
-    if (name == "a.glb" && !can_write_glb())
-      continue;
     Input_mesh input = s_input;
     for (Point& p : input.soup.points)
       for (double& x : p)

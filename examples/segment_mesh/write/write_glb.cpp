@@ -3,9 +3,10 @@
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
 #include "read/little_endian.h"
-#include "read/tinygltf.h"
 #include "soup/vector_algebra.h"
 #include "write/write_mesh.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -74,115 +75,101 @@ Shaded_triangles shade(const Segment_triangles& segment)
   return result;
 }
 
+/// The parts of a .glb file, as they are added.
 class Glb_model
 {
 public:
-  Glb_model()
-  {
-    m_model.asset.version = "2.0";
-    m_model.asset.generator = "segment_mesh";
-    m_model.buffers.emplace_back();
-    m_model.scenes.emplace_back();
-    m_model.defaultScene = 0;
-  }
-
   void add(const Segment_triangles& segment)
   {
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
     const Shaded_triangles shaded = shade(segment);
-    primitive.attributes["POSITION"] = add_vectors(shaded.points);
-    primitive.attributes["NORMAL"] = add_vectors(shaded.normals);
-    primitive.indices = add_indices(shaded.triangles);
-    primitive.material = add_material(segment);
-    tinygltf::Mesh mesh;
-    mesh.name = segment.name;
-    mesh.primitives.push_back(primitive);
-    tinygltf::Node node;
-    node.name = segment.name;
-    node.mesh = int(m_model.meshes.size());
-    m_model.meshes.push_back(mesh);
-    m_model.scenes[0].nodes.push_back(int(m_model.nodes.size()));
-    m_model.nodes.push_back(node);
+    const std::size_t positions = add_vectors(shaded.points), normals = add_vectors(shaded.normals),
+                      indices = add_indices(shaded.triangles), i = m_json["meshes"].size();
+    m_json["meshes"].push_back(
+      {{"name", segment.name},
+       {"primitives", Json::array({{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
+                                    {"indices", indices},
+                                    {"material", i}}})}});
+    m_json["nodes"].push_back({{"name", segment.name}, {"mesh", i}});
+    m_json["scenes"][0]["nodes"].push_back(i);
+    Json color = Json::array({1, 1, 1, 1});
+    for (std::size_t j = 0; j < 3; ++j)
+      color[j] = linear_channel(segment.color[j]);
+    m_json["materials"].push_back(
+      {{"name", segment.name},
+       {"doubleSided", true},
+       {"pbrMetallicRoughness",
+        {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}});
   }
 
   void write(std::ostream& out)
   {
-    m_model.buffers[0].data.assign(m_bytes.begin(), m_bytes.end());
-    tinygltf::TinyGLTF().WriteGltfSceneToStream(&m_model, out, false, true);
+    m_json["buffers"] = Json::array({{{"byteLength", m_bytes.size()}}});
+    std::string text = m_json.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string header = "glTF", binary_chunk;
+    for (const std::size_t number :
+         {std::size_t(2), 12 + 8 + text.size() + 8 + m_bytes.size(), text.size()})
+      append_little_endian(header, std::uint32_t(number));
+    append_little_endian(binary_chunk, std::uint32_t(m_bytes.size()));
+    out << header << "JSON" << text << binary_chunk << std::string("BIN\0", 4) << m_bytes;
   }
 
 private:
-  int add_vectors(const std::vector<Point>& vectors)
+  using Json = nlohmann::json;
+
+  std::size_t add_vectors(const std::vector<Point>& vectors)
   {
-    tinygltf::Accessor accessor;
-    accessor.minValues.assign(3, HUGE_VAL);
-    accessor.maxValues.assign(3, -HUGE_VAL);
     const std::size_t start = m_bytes.size();
+    std::array<float, 3> least, greatest;
+    least.fill(HUGE_VALF);
+    greatest.fill(-HUGE_VALF);
     for (const Point& p : vectors)
       for (std::size_t j = 0; j < 3; ++j) {
         const float x = float(p[j]);
         append_little_endian(m_bytes, x);
-        accessor.minValues[j] = (std::min)(accessor.minValues[j], double(x));
-        accessor.maxValues[j] = (std::max)(accessor.maxValues[j], double(x));
+        least[j] = (std::min)(least[j], x);
+        greatest[j] = (std::max)(greatest[j], x);
       }
-    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-    accessor.type = TINYGLTF_TYPE_VEC3;
-    accessor.count = vectors.size();
-    return add_accessor(accessor, start, TINYGLTF_TARGET_ARRAY_BUFFER);
+    constexpr int float_type = 5126, vertices = 34962;
+    return add_accessor({{"componentType", float_type},
+                         {"type", "VEC3"},
+                         {"count", vectors.size()},
+                         {"min", least},
+                         {"max", greatest}},
+                        start, vertices);
   }
 
-  int add_indices(const Triangles& triangles)
+  std::size_t add_indices(const Triangles& triangles)
   {
     const std::size_t start = m_bytes.size();
     for (const auto& triangle : triangles)
       for (std::uint32_t i : triangle)
         append_little_endian(m_bytes, i);
-    tinygltf::Accessor accessor;
-    accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-    accessor.type = TINYGLTF_TYPE_SCALAR;
-    accessor.count = 3 * triangles.size();
-    return add_accessor(accessor, start, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    constexpr int unsigned_type = 5125, indices = 34963;
+    return add_accessor(
+      {{"componentType", unsigned_type}, {"type", "SCALAR"}, {"count", 3 * triangles.size()}},
+      start, indices);
   }
 
-  /// Of the bytes from `start` on.
-  int add_accessor(tinygltf::Accessor& accessor, std::size_t start, int target)
+  /// Of the bytes from `start` on. \returns its number
+  std::size_t add_accessor(Json accessor, std::size_t start, int target)
   {
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = start;
-    view.byteLength = m_bytes.size() - start;
-    view.target = target;
-    accessor.bufferView = int(m_model.bufferViews.size());
-    m_model.bufferViews.push_back(view);
-    m_model.accessors.push_back(accessor);
-    return int(m_model.accessors.size()) - 1;
+    accessor["bufferView"] = m_json["bufferViews"].size();
+    m_json["bufferViews"].push_back({{"buffer", 0},
+                                     {"byteOffset", start},
+                                     {"byteLength", m_bytes.size() - start},
+                                     {"target", target}});
+    m_json["accessors"].push_back(std::move(accessor));
+    return m_json["accessors"].size() - 1;
   }
 
-  int add_material(const Segment_triangles& segment)
-  {
-    tinygltf::Material material;
-    material.name = segment.name;
-    material.doubleSided = true;
-    auto& pbr = material.pbrMetallicRoughness;
-    for (std::size_t j = 0; j < 3; ++j)
-      pbr.baseColorFactor[j] = linear_channel(segment.color[j]);
-    pbr.metallicFactor = 0;
-    pbr.roughnessFactor = 0.8;
-    m_model.materials.push_back(material);
-    return int(m_model.materials.size()) - 1;
-  }
-
-  tinygltf::Model m_model;
+  Json m_json = {{"asset", {{"version", "2.0"}, {"generator", "segment_mesh"}}},
+                 {"scene", 0},
+                 {"scenes", Json::array({Json::object()})}};
   std::string m_bytes;
 };
 
 } // namespace
-
-bool can_write_glb()
-{
-  return true;
-}
 
 void write_glb(std::ostream& out, const Labelled_mesh& mesh)
 {

@@ -70,10 +70,7 @@ void write_vtp(std::ostream& out, const Labelled_mesh& mesh);
 void write_stl(std::ostream& out, const Labelled_mesh& mesh);
 
 /// glTF: a node, mesh and material `segment_I` for each segment; coordinates as float, and normals.
-/// \pre `can_write_glb()`
 void write_glb(std::ostream& out, const Labelled_mesh& mesh);
-/// Whether the program was built with tinygltf.
-bool can_write_glb();
 
 /// 3D Manufacturing Format: an object and material `segment_I` for each segment, in millimeters.
 void write_3mf(std::ostream& out, const Labelled_mesh& mesh);

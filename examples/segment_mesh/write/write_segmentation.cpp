@@ -111,12 +111,10 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
 /// \throws Output_error if the program was built without the library of a format
 void check_libraries(const Output& output)
 {
-  const auto require = [&](Output_format format, bool can_write, const std::string& need) {
-    if (output.format == format && !can_write)
-      throw Output_error(output.file, need + ", and this program was built without it");
-  };
-  require(Output_format::HTML, can_write_pages(), "pages need three.js (Debian: libjs-three)");
-  require(Output_format::GLB, can_write_glb(), ".glb needs tinygltf (Debian: libtinygltf-dev)");
+  if (output.format == Output_format::HTML && !can_write_pages())
+    throw Output_error(output.file,
+                       "pages need three.js (Debian: libjs-three), and this program was "
+                       "built without it");
 }
 
 /// The largest absolute value of a coordinate of a polygon.

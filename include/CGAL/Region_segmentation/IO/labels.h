@@ -49,7 +49,7 @@ std::vector<Label> read_labels(std::istream& in)
     Label label{};
     const auto result = std::from_chars(line.data() + first, end, label);
     if (result.ec != std::errc() || result.ptr != end)
-      throw Invalid_input("line " + std::to_string(number) + ": not a label: '" + line + "'");
+      throw Invalid_input("line " + std::to_string(number) + ": not a label");
     labels.push_back(label);
   }
   if (in.bad())
