@@ -2,7 +2,6 @@
 
 #include "segmentation/Manifold.h"
 
-#include "segmentation/make_surface_mesh.h"
 #include "soup/link_corners.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -31,10 +30,10 @@ bool are_different(std::vector<Point> points)
 }
 
 /// The mesh of a soup that is an oriented 2-manifold.
-Manifold of_manifold(const Polygon_soup& soup, const Corner_links& links)
+Manifold of_manifold(const Polygon_soup& soup)
 {
   Manifold result;
-  result.mesh = make_surface_mesh<Manifold::Mesh>(soup, links);
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, result.mesh);
   result.face_of_mesh_face.resize(soup.polygons.size());
   std::iota(result.face_of_mesh_face.begin(), result.face_of_mesh_face.end(), std::size_t(0));
   result.point_of_mesh_point.resize(soup.points.size());
@@ -117,9 +116,8 @@ private:
 
 Manifold make_manifold(const Polygon_soup& soup)
 {
-  const std::optional<Corner_links> links = link_corners(soup);
-  return links && are_different({soup.points.begin(), soup.points.end()})
-           ? of_manifold(soup, *links)
+  return is_oriented_manifold(soup) && are_different({soup.points.begin(), soup.points.end()})
+           ? of_manifold(soup)
            : Repair(soup).run();
 }
 
