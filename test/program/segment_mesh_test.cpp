@@ -425,7 +425,7 @@ TEST_F(Program, writes_to_devices_and_pipes)
   ASSERT_EQ(mkfifo(folder.path("b.obj").c_str(), 0600), 0);
   EXPECT_EQ(run("a.off -q -k 4 -o /dev/null -o /dev/null -o b.obj -o /dev/fd/3 "
                 "--output-format obj 3> c.obj > /dev/null && wait",
-                "{ cat b.obj > d.obj & } &&")
+                "{ timeout 20 cat b.obj > d.obj & } &&")
               .status,
             0);
   EXPECT_EQ(folder.names(), (Names{"a.off", "b.obj", "c.obj", "d.obj"}));

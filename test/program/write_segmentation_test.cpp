@@ -89,24 +89,36 @@ TEST_F(Written, meshes_are_read_back_to_the_bit)
 }
 
 /// Their faces are ordered by segment, within one as in the input.
-TEST_F(Written, files_of_parts_are_read_back_to_the_bit)
+TEST_F(Written, parts_are_read_back_to_the_bit)
 {
   using Triangle = std::array<Point, 3>;
+  const auto append = [](const Polygon_soup& soup, std::size_t f,
+                         std::vector<Triangle>& triangles) {
+    const Polygon_soup::Polygon face = soup.polygons[f];
+    ASSERT_EQ(face.size(), 3u);
+    triangles.push_back({soup.points[face[0]], soup.points[face[1]], soup.points[face[2]]});
+  };
   std::vector<Triangle> expected;
   for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s)
     for (std::size_t f = 0; f < s_input.soup.polygons.size(); ++f)
-      if (const auto& face = s_input.soup.polygons[f]; s_segmentation.segment_of_face[f] == s)
-        expected.push_back({s_input.soup.points[face[0]], s_input.soup.points[face[1]],
-                            s_input.soup.points[face[2]]});
-  for (const std::string name : {"a.obj", "a.stl"}) {
-    write_segmentation(make_output(m_folder.path(name)), result());
-    const Polygon_soup back = read_mesh(m_folder.path(name)).soup;
+      if (s_segmentation.segment_of_face[f] == s)
+        append(s_input.soup, f, expected);
+  for (const std::string name : {"a.obj", "a.stl", "{segment}.off"}) {
+    const Output output = make_output(m_folder.path(name));
+    write_segmentation(output, result());
     std::vector<Triangle> triangles;
-    for (const auto& face : back.polygons)
-      triangles.push_back({back.points[face[0]], back.points[face[1]], back.points[face[2]]});
+    for (std::size_t s = 0; s < (output.is_for_each_segment() ? 10u : 1u); ++s) {
+      const Polygon_soup part = read_mesh(with_segment(output.file, std::to_string(s))).soup;
+      std::set<std::size_t> used;
+      for (std::size_t f = 0; f < part.polygons.size(); ++f) {
+        append(part, f, triangles);
+        used.insert(part.polygons[f].begin(), part.polygons[f].end());
+      }
+      EXPECT_EQ(used.size(), part.points.size()) << name;
+    }
     EXPECT_EQ(triangles, expected) << name;
   }
-  EXPECT_EQ(m_folder.names(), (std::vector<std::string>{"a.mtl", "a.obj", "a.stl"}));
+  EXPECT_EQ(m_folder.names().size(), 13u); // also a.mtl
 }
 
 TEST_F(Written, ply_has_segments_and_colors)
@@ -123,22 +135,6 @@ TEST_F(Written, ply_has_segments_and_colors)
     ASSERT_EQ(std::size_t(segment[f]), s_segmentation.segment_of_face[f]);
     const Color expected = segment_color(s_segmentation.segment_of_face[f]);
     ASSERT_EQ(color[f], CGAL::IO::Color(expected[0], expected[1], expected[2]));
-  }
-}
-
-TEST_F(Written, off_has_colors)
-{
-  std::istringstream in(text("a.off"));
-  std::string line;
-  for (std::size_t i = 0; i < 2 + s_input.soup.points.size(); ++i)
-    std::getline(in, line);
-  for (std::size_t f = 0; f < s_segmentation.segment_of_face.size(); ++f) {
-    std::size_t size, a, b, c;
-    int red, green, blue;
-    ASSERT_TRUE(in >> size >> a >> b >> c >> red >> green >> blue);
-    const Color expected = segment_color(s_segmentation.segment_of_face[f]);
-    ASSERT_EQ((std::array<int, 3>{red, green, blue}),
-              (std::array<int, 3>{expected[0], expected[1], expected[2]}));
   }
 }
 
@@ -207,35 +203,6 @@ TEST_F(Written, json_is_valid_whatever_the_name)
   EXPECT_EQ(nlohmann::json::parse(out.str())["input"]["name"], "caf\xef\xbf\xbd.off");
 }
 
-TEST_F(Written, csv_agrees_with_json)
-{
-  std::istringstream in(text("a.csv"));
-  const nlohmann::json json = [this] {
-    std::ostringstream out;
-    write_json(out, result());
-    return nlohmann::json::parse(out.str());
-  }();
-  std::string line;
-  std::getline(in, line);
-  const auto number_of_commas = std::count(line.begin(), line.end(), ',');
-  EXPECT_EQ(line.rfind("segment,faces,area,area_share,volume,", 0), 0u);
-  std::size_t number_of_lines = 0;
-  for (; std::getline(in, line); ++number_of_lines) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), number_of_commas) << line;
-    const auto& segment = json["segments"][number_of_lines];
-    std::istringstream fields(line);
-    double id, faces, area, share, volume;
-    char comma;
-    fields >> id >> comma >> faces >> comma >> area >> comma >> share >> comma >> volume;
-    EXPECT_EQ(id, double(number_of_lines));
-    EXPECT_EQ(faces, segment["faces"].get<double>());
-    EXPECT_EQ(area, segment["area"].get<double>());
-    EXPECT_EQ(volume, segment["volume"].get<double>());
-    EXPECT_NE(line.find(segment["primitive"]["type"].get<std::string>()), std::string::npos);
-  }
-  EXPECT_EQ(number_of_lines, json["segments"].size());
-}
-
 TEST_F(Written, details_agree_with_labels)
 {
   const Segmentation& s = s_segmentation;
@@ -280,30 +247,6 @@ TEST_F(Written, nodes_are_described_as_segments_of_partitions)
   }
   EXPECT_EQ(number_of_found, (least + greatest) * (greatest - least + 1) / 2);
   EXPECT_EQ(nodes.size(), 2 * greatest - least);
-}
-
-TEST_F(Written, a_file_for_each_segment)
-{
-  write_segmentation(make_output(m_folder.path("part_{segment}.obj")), result());
-  EXPECT_EQ(m_folder.names().size(), 2 * s_segmentation.number_of_segments); // and materials
-  for (std::size_t s = 0; s < s_segmentation.number_of_segments; ++s) {
-    const Polygon_soup part = read_mesh(m_folder.path("part_" + std::to_string(s) + ".obj")).soup;
-    std::size_t i = 0;
-    std::vector<bool> is_used(part.points.size());
-    for (std::size_t f = 0; f < s_segmentation.segment_of_face.size(); ++f) {
-      if (s_segmentation.segment_of_face[f] != s)
-        continue;
-      ASSERT_LT(i, part.polygons.size());
-      for (std::size_t c = 0; c < part.polygons[i].size(); ++c) {
-        EXPECT_EQ(part.points[part.polygons[i][c]],
-                  s_input.soup.points[s_input.soup.polygons[f][c]]);
-        is_used[part.polygons[i][c]] = true;
-      }
-      ++i;
-    }
-    EXPECT_EQ(i, part.polygons.size());
-    EXPECT_EQ(std::count(is_used.begin(), is_used.end(), false), 0);
-  }
 }
 
 TEST_F(Written, borders_have_the_length_of_the_borders)

@@ -26,6 +26,45 @@ ordered_json vector_json(const Triple& v)
   return {v.x(), v.y(), v.z()};
 }
 
+const char* name_of(RS::Surface_kind kind)
+{
+  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
+  return names[std::size_t(kind)];
+}
+
+const char* name_of(RS::Face_role role)
+{
+  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
+  return names[std::size_t(role)];
+}
+
+bool has_radius(const RS::Fitted_surface<Kernel>& s)
+{
+  return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||
+         s.kind == RS::Surface_kind::TORUS;
+}
+
+/// The surface of the face that a segment is, else the simple one that fits best; `point` of a cone
+/// is its apex.
+RS::Fitted_surface<Kernel> surface_of(const Segment_description& segment)
+{
+  RS::Fitted_surface<Kernel> s = segment.face ? segment.face->surface : segment.surface;
+  if (s.kind == RS::Surface_kind::CONE) {
+    const double to_apex = s.radius / std::tan(s.angle);
+    s.point = s.apex();
+    s.radius = 0;
+    s.lowest += to_apex;
+    s.highest += to_apex;
+  }
+  return s;
+}
+
+/// The largest distance of a vertex to the surface of a face, else the root mean square distance.
+double error_of(const Segment_description& segment)
+{
+  return segment.face ? segment.face->surface.deviation : segment.surface_error();
+}
+
 ordered_json surface_json(const Segment_description& segment)
 {
   const RS::Fitted_surface<Kernel> s = surface_of(segment);
@@ -50,42 +89,6 @@ ordered_json surface_json(const Segment_description& segment)
 }
 
 } // namespace
-
-const char* name_of(RS::Surface_kind kind)
-{
-  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
-  return names[std::size_t(kind)];
-}
-
-const char* name_of(RS::Face_role role)
-{
-  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
-  return names[std::size_t(role)];
-}
-
-bool has_radius(const RS::Fitted_surface<Kernel>& s)
-{
-  return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||
-         s.kind == RS::Surface_kind::TORUS;
-}
-
-RS::Fitted_surface<Kernel> surface_of(const Segment_description& segment)
-{
-  RS::Fitted_surface<Kernel> s = segment.face ? segment.face->surface : segment.surface;
-  if (s.kind == RS::Surface_kind::CONE) {
-    const double to_apex = s.radius / std::tan(s.angle);
-    s.point = s.apex();
-    s.radius = 0;
-    s.lowest += to_apex;
-    s.highest += to_apex;
-  }
-  return s;
-}
-
-double error_of(const Segment_description& segment)
-{
-  return segment.face ? segment.face->surface.deviation : segment.surface_error();
-}
 
 ordered_json segment_json(const Segment_description& segment)
 {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@
 namespace segment_mesh {
 
 namespace {
+
+using nlohmann::ordered_json;
 
 /// Of sRGB, from 0 to 255.
 double linear_channel(std::uint8_t channel)
@@ -75,25 +78,25 @@ Shaded_triangles shade(const Segment_triangles& segment)
   return result;
 }
 
-/// The parts of a .glb file, as they are added.
-class Glb_model
+class Glb_file
 {
 public:
   void add(const Segment_triangles& segment)
   {
     const Shaded_triangles shaded = shade(segment);
-    const std::size_t positions = add_vectors(shaded.points), normals = add_vectors(shaded.normals),
-                      indices = add_indices(shaded.triangles), i = m_json["meshes"].size();
+    const std::size_t index = m_json["nodes"].size();
+    const ordered_json attributes = {{"POSITION", add_vectors(shaded.points)},
+                                     {"NORMAL", add_vectors(shaded.normals)}};
+    ordered_json primitive = {
+      {"attributes", attributes}, {"indices", add_indices(shaded.triangles)}, {"material", index}};
+    m_json["scenes"][0]["nodes"].push_back(index);
+    m_json["nodes"].push_back({{"name", segment.name}, {"mesh", index}});
     m_json["meshes"].push_back(
-      {{"name", segment.name},
-       {"primitives", Json::array({{{"attributes", {{"POSITION", positions}, {"NORMAL", normals}}},
-                                    {"indices", indices},
-                                    {"material", i}}})}});
-    m_json["nodes"].push_back({{"name", segment.name}, {"mesh", i}});
-    m_json["scenes"][0]["nodes"].push_back(i);
-    Json color = Json::array({1, 1, 1, 1});
-    for (std::size_t j = 0; j < 3; ++j)
-      color[j] = linear_channel(segment.color[j]);
+      {{"name", segment.name}, {"primitives", ordered_json::array({std::move(primitive)})}});
+    ordered_json color = ordered_json::array();
+    for (const std::uint8_t channel : segment.color)
+      color.push_back(linear_channel(channel));
+    color.push_back(1);
     m_json["materials"].push_back(
       {{"name", segment.name},
        {"doubleSided", true},
@@ -103,69 +106,75 @@ public:
 
   void write(std::ostream& out)
   {
-    m_json["buffers"] = Json::array({{{"byteLength", m_bytes.size()}}});
-    std::string text = m_json.dump();
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string header = "glTF", binary_chunk;
-    for (const std::size_t number :
-         {std::size_t(2), 12 + 8 + text.size() + 8 + m_bytes.size(), text.size()})
-      append_little_endian(header, std::uint32_t(number));
-    append_little_endian(binary_chunk, std::uint32_t(m_bytes.size()));
-    out << header << "JSON" << text << binary_chunk << std::string("BIN\0", 4) << m_bytes;
+    if (!m_bytes.empty())
+      m_json["buffers"] = ordered_json::array({{{"byteLength", m_bytes.size()}}});
+    std::string json = m_json.dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    std::string header = "glTF", bytes = m_bytes.empty() ? "" : chunk("BIN", m_bytes);
+    const std::string text = chunk("JSON", json);
+    append_little_endian(header, std::uint32_t(2)); // the version
+    append_little_endian(header, std::uint32_t(12 + text.size() + bytes.size()));
+    out << header << text << bytes;
   }
 
 private:
-  using Json = nlohmann::json;
+  static std::string chunk(std::string type, const std::string& content)
+  {
+    type.resize(4, '\0');
+    std::string size;
+    append_little_endian(size, std::uint32_t(content.size()));
+    return size + type + content;
+  }
 
   std::size_t add_vectors(const std::vector<Point>& vectors)
   {
-    const std::size_t start = m_bytes.size();
-    std::array<float, 3> least, greatest;
+    std::string bytes;
+    std::array<float, 3> least, most;
     least.fill(HUGE_VALF);
-    greatest.fill(-HUGE_VALF);
+    most.fill(-HUGE_VALF);
     for (const Point& p : vectors)
       for (std::size_t j = 0; j < 3; ++j) {
         const float x = float(p[j]);
-        append_little_endian(m_bytes, x);
+        append_little_endian(bytes, x);
         least[j] = (std::min)(least[j], x);
-        greatest[j] = (std::max)(greatest[j], x);
+        most[j] = (std::max)(most[j], x);
       }
-    constexpr int float_type = 5126, vertices = 34962;
-    return add_accessor({{"componentType", float_type},
-                         {"type", "VEC3"},
+    return add_accessor({{"componentType", 5126}, // float
                          {"count", vectors.size()},
+                         {"type", "VEC3"},
                          {"min", least},
-                         {"max", greatest}},
-                        start, vertices);
+                         {"max", most}},
+                        bytes, 34962); // of vertices
   }
 
   std::size_t add_indices(const Triangles& triangles)
   {
-    const std::size_t start = m_bytes.size();
+    std::string bytes;
     for (const auto& triangle : triangles)
-      for (std::uint32_t i : triangle)
-        append_little_endian(m_bytes, i);
-    constexpr int unsigned_type = 5125, indices = 34963;
-    return add_accessor(
-      {{"componentType", unsigned_type}, {"type", "SCALAR"}, {"count", 3 * triangles.size()}},
-      start, indices);
+      for (const std::uint32_t i : triangle)
+        append_little_endian(bytes, i);
+    return add_accessor({{"componentType", 5125}, // unsigned int
+                         {"count", 3 * triangles.size()},
+                         {"type", "SCALAR"}},
+                        bytes, 34963); // of indices
   }
 
-  /// Of the bytes from `start` on. \returns its number
-  std::size_t add_accessor(Json accessor, std::size_t start, int target)
+  std::size_t add_accessor(ordered_json accessor, const std::string& bytes, int target)
   {
-    accessor["bufferView"] = m_json["bufferViews"].size();
-    m_json["bufferViews"].push_back({{"buffer", 0},
-                                     {"byteOffset", start},
-                                     {"byteLength", m_bytes.size() - start},
-                                     {"target", target}});
+    const std::size_t index = m_json["accessors"].size();
+    accessor["bufferView"] = index;
     m_json["accessors"].push_back(std::move(accessor));
-    return m_json["accessors"].size() - 1;
+    m_json["bufferViews"].push_back({{"buffer", 0},
+                                     {"byteOffset", m_bytes.size()},
+                                     {"byteLength", bytes.size()},
+                                     {"target", target}});
+    m_bytes += bytes;
+    return index;
   }
 
-  Json m_json = {{"asset", {{"version", "2.0"}, {"generator", "segment_mesh"}}},
-                 {"scene", 0},
-                 {"scenes", Json::array({Json::object()})}};
+  ordered_json m_json = {{"asset", {{"version", "2.0"}, {"generator", "segment_mesh"}}},
+                         {"scene", 0},
+                         {"scenes", ordered_json::array({ordered_json::object()})}};
   std::string m_bytes;
 };
 
@@ -173,10 +182,10 @@ private:
 
 void write_glb(std::ostream& out, const Labelled_mesh& mesh)
 {
-  Glb_model model;
+  Glb_file file;
   for (const Segment_triangles& segment : triangles_of_segments(mesh))
-    model.add(segment);
-  model.write(out);
+    file.add(segment);
+  file.write(out);
 }
 
 } // namespace segment_mesh

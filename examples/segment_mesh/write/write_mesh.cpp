@@ -10,10 +10,10 @@
 #include "write/Text_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <ostream>
 #include <string>
-#include <type_traits>
 
 namespace segment_mesh {
 
@@ -69,85 +69,57 @@ std::string ply_header(const Polygon_soup& soup)
          "end_header\n";
 }
 
-/// PolyData of VTK as an XML file with appended raw data: each array is its size in bytes, then its
-/// values.
+/// PolyData of VTK as XML with arrays of text.
 class Vtp_file
 {
 public:
-  Vtp_file(std::size_t number_of_points, std::size_t number_of_lines,
+  Vtp_file(std::ostream& out, std::size_t number_of_points, std::size_t number_of_lines,
            std::size_t number_of_polygons)
+    : m_text(out)
   {
-    m_xml = "<?xml version=\"1.0\"?>\n"
-            "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-            "header_type=\"UInt64\">\n"
-            "<PolyData>\n<Piece NumberOfPoints=\"" +
-            std::to_string(number_of_points) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
-            std::to_string(number_of_lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-            std::to_string(number_of_polygons) + "\">\n";
+    m_text << "<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n<Piece NumberOfPoints=\""
+           << number_of_points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << number_of_lines
+           << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << number_of_polygons << "\">\n";
   }
+  ~Vtp_file() { m_text << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
 
-  void open(const std::string& element) { m_xml += "<" + element + ">\n"; }
-  void close(const std::string& element) { m_xml += "</" + element + ">\n"; }
+  /// The text of what is between the arrays.
+  void add(const std::string& text) { m_text << text << "\n"; }
 
-  /// Adds an array; `append(values)` appends its values to a string.
-  template <typename Value, typename Append>
-  void add(const std::string& name, std::size_t number_of_components, Append append)
+  /// Of `values(element)` for each element, a range of numbers, all of the same size.
+  template <typename Elements, typename Values>
+  void add(const char* type, const char* name, std::size_t size, const Elements& elements,
+           const Values& values)
   {
-    m_xml += "<DataArray type=\"" + type_name<Value>() + "\" Name=\"" + name +
-             "\" NumberOfComponents=\"" + std::to_string(number_of_components) +
-             "\" format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
-    std::string values;
-    append(values);
-    append_little_endian(m_data, std::uint64_t(values.size()));
-    m_data += values;
+    m_text << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+           << size << "\" format=\"ascii\">\n";
+    for (const auto& element : elements) {
+      for (const auto value : values(element))
+        m_text << value << " ";
+      m_text << "\n";
+    }
+    m_text << "</DataArray>\n";
   }
 
   void add_points(const std::vector<Point>& points)
   {
-    open("Points");
-    add<double>("Points", 3, [&](std::string& values) {
-      for (const Point& p : points)
-        for (double x : p)
-          append_little_endian(values, x);
-    });
-    close("Points");
+    add("<Points>");
+    add("Float64", "Points", 3, points, [](const Point& p) { return p; });
+    add("</Points>");
   }
 
-  /// `cell_points(c)` are the indices of the points of a cell.
-  template <typename Cells, typename CellPoints>
-  void add_cells(const std::string& element, const Cells& cells, CellPoints cell_points)
+  /// `points(cell)` are the indices of the points of a cell.
+  template <typename Cells, typename Points>
+  void add_cells(const Cells& cells, const Points& points)
   {
-    open(element);
-    add<std::int64_t>("connectivity", 1, [&](std::string& values) {
-      for (const auto& cell : cells)
-        for (std::size_t i : cell_points(cell))
-          append_little_endian(values, std::int64_t(i));
-    });
-    add<std::int64_t>("offsets", 1, [&](std::string& values) {
-      std::int64_t end = 0;
-      for (const auto& cell : cells)
-        append_little_endian(values, end += std::int64_t(cell_points(cell).size()));
-    });
-    close(element);
-  }
-
-  void write(std::ostream& out) const
-  {
-    out << m_xml << "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-    out.write(m_data.data(), std::streamsize(m_data.size()));
-    out << "\n</AppendedData>\n</VTKFile>\n";
+    std::size_t end = 0;
+    add("Int64", "connectivity", 1, cells, points);
+    add("Int64", "offsets", 1, cells,
+        [&](const auto& cell) { return std::array{end += points(cell).size()}; });
   }
 
 private:
-  template <typename Value>
-  static std::string type_name()
-  {
-    if (std::is_same<Value, double>::value)
-      return "Float64";
-    return (std::is_signed<Value>::value ? "Int" : "UInt") + std::to_string(8 * sizeof(Value));
-  }
-
-  std::string m_xml, m_data;
+  Text_buffer m_text;
 };
 
 /// Borders with no other points than theirs.
@@ -293,23 +265,19 @@ void write_mtl(std::ostream& out, const Labelled_mesh& mesh)
 
 void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
 {
-  Vtp_file file(mesh.soup.points.size(), 0, mesh.soup.polygons.size());
-  file.open("CellData Scalars=\"segment\"");
-  file.add<std::int32_t>("segment", 1, [&](std::string& values) {
-    for (std::size_t segment : mesh.segment_of_face)
-      append_little_endian(values, std::int32_t(segment));
+  Vtp_file file(out, mesh.soup.points.size(), 0, mesh.soup.polygons.size());
+  file.add("<CellData Scalars=\"segment\">");
+  file.add("Int32", "segment", 1, mesh.segment_of_face,
+           [](std::size_t segment) { return std::array{std::int64_t(segment)}; });
+  file.add("UInt8", "color", 3, mesh.segment_of_face, [](std::size_t segment) {
+    const Color color = segment_color(segment);
+    return std::array<int, 3>{color[0], color[1], color[2]};
   });
-  file.add<std::uint8_t>("color", 3, [&](std::string& values) {
-    for (std::size_t segment : mesh.segment_of_face)
-      for (std::uint8_t channel : segment_color(segment))
-        append_little_endian(values, channel);
-  });
-  file.close("CellData");
+  file.add("</CellData>");
   file.add_points(mesh.soup.points);
-  file.add_cells(
-    "Polys", mesh.soup.polygons,
-    [](const Polygon_soup::Polygon& polygon) -> const Polygon_soup::Polygon& { return polygon; });
-  file.write(out);
+  file.add("<Polys>");
+  file.add_cells(mesh.soup.polygons, [](const Polygon_soup::Polygon& polygon) { return polygon; });
+  file.add("</Polys>");
 }
 
 void write_stl(std::ostream& out, const Labelled_mesh& mesh)
@@ -348,19 +316,18 @@ void write_borders_vtp(std::ostream& out, const std::vector<Point>& points,
                        const std::vector<Border>& borders)
 {
   const Compact_borders compacted = compact(points, borders);
-  Vtp_file file(compacted.points.size(), borders.size(), 0);
-  file.open("CellData Scalars=\"left_segment\"");
+  Vtp_file file(out, compacted.points.size(), borders.size(), 0);
+  file.add("<CellData Scalars=\"left_segment\">");
   for (std::size_t side : {0, 1})
-    file.add<std::int32_t>(side == 0 ? "left_segment" : "right_segment", 1,
-                           [&](std::string& values) {
-                             for (const Border& border : borders)
-                               append_little_endian(values, std::int32_t(border.segments[side]));
-                           });
-  file.close("CellData");
+    file.add(
+      "Int32", side == 0 ? "left_segment" : "right_segment", 1, borders,
+      [side](const Border& border) { return std::array{std::int64_t(border.segments[side])}; });
+  file.add("</CellData>");
   file.add_points(compacted.points);
-  file.add_cells("Lines", compacted.borders,
+  file.add("<Lines>");
+  file.add_cells(compacted.borders,
                  [](const Border& border) -> const Polyline& { return border.points; });
-  file.write(out);
+  file.add("</Lines>");
 }
 
 } // namespace segment_mesh

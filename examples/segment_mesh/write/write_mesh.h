@@ -59,7 +59,7 @@ void write_obj(std::ostream& out, const Labelled_mesh& mesh,
 /// The materials of `write_obj()`: the colors of the segments.
 void write_mtl(std::ostream& out, const Labelled_mesh& mesh);
 
-/// PolyData of VTK: binary, with the arrays `segment` and `color` of the faces.
+/// PolyData of VTK: text, with the arrays `segment` and `color` of the faces.
 void write_vtp(std::ostream& out, const Labelled_mesh& mesh);
 /// @}
 

@@ -108,15 +108,6 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   file.commit();
 }
 
-/// \throws Output_error if the program was built without the library of a format
-void check_libraries(const Output& output)
-{
-  if (output.format == Output_format::HTML && !can_write_pages())
-    throw Output_error(output.file,
-                       "pages need three.js (Debian: libjs-three), and this program was "
-                       "built without it");
-}
-
 /// The largest absolute value of a coordinate of a polygon.
 double largest_coordinate(const Polygon_soup& soup)
 {
@@ -161,7 +152,10 @@ void write_each_segment(const Output& output, const Result& result, const Labell
 
 void write_segmentation(const Output& output, const Result& result)
 {
-  check_libraries(output);
+  if (output.format == Output_format::HTML && !can_write_pages())
+    throw Output_error(output.file,
+                       "pages need three.js (Debian: libjs-three), and this program was "
+                       "built without it");
   check_coordinates(output, result.input.soup);
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)

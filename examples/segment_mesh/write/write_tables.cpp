@@ -14,8 +14,9 @@
 // Of the method smooth-faces, unless faces were merged: primitive and what belongs to it are those
 // of `Fitted_surface`, the point of a cone its apex, error the largest distance of a vertex;
 // lowest and highest the ends of a cylinder, cone or torus along direction from point; concave 1 or
-// 0; role none, blend, hole or boss; same_surface and same_axis the first segment on the same
-// surface, with the same axis; smooth_neighbors those of the neighbors that it meets smoothly.
+// 0, empty for a plane; role none, blend, hole or boss; same_surface and same_axis the first
+// segment on the same surface, with the same axis; smooth_neighbors those of the neighbors that it
+// meets smoothly.
 
 // The .json output. One object, a line for each member and each element of a list of objects:
 //
@@ -65,13 +66,13 @@
 
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/version.h>
-#include <CGAL/number_type_config.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <limits>
 #include <ostream>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,55 +83,38 @@ namespace {
 namespace RS = CGAL::Region_segmentation;
 using nlohmann::ordered_json;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// The names of the columns of .csv after the first, and where their values are in a segment of
+/// .json.
+constexpr const char*
+  columns = "faces /faces area /area area_share /area_share volume /volume "
+            "volume_share /volume_share border_length /border_length "
+            "boundary_length /boundary_length centroid_x /centroid/0 centroid_y /centroid/1 "
+            "centroid_z /centroid/2 extent_1 /extents/0 extent_2 /extents/1 extent_3 /extents/2 "
+            "primitive /primitive/type radius /primitive/radius half_angle /primitive/half_angle "
+            "error /primitive/error neighbors /neighbor_ids point_x /primitive/point/0 "
+            "point_y /primitive/point/1 point_z /primitive/point/2 "
+            "direction_x /primitive/direction/0 direction_y /primitive/direction/1 "
+            "direction_z /primitive/direction/2 minor_radius /primitive/minor_radius "
+            "lowest /primitive/extent/0 highest /primitive/extent/1 concave /primitive/concave "
+            "role /role same_surface /same_surface same_axis /same_axis "
+            "smooth_neighbors /smooth_neighbor_ids";
 
-/// After a comma.
-void write_value(Text_buffer& text, double value)
+/// The values of a list are separated by spaces.
+void write_field(Text_buffer& text, const ordered_json& value)
 {
-  text << ",";
-  if (std::isfinite(value))
-    text << value;
-}
-
-void write_primitive(Text_buffer& text, const Segment_description& segment)
-{
-  const RS::Fitted_surface<Kernel> s = surface_of(segment);
-  text << "," << name_of(s.kind);
-  write_value(text, has_radius(s) ? s.radius : none);
-  write_value(text, s.kind == RS::Surface_kind::CONE ? s.angle * 180 / CGAL_PI : none);
-  write_value(text, s.kind == RS::Surface_kind::FREEFORM ? none : error_of(segment));
-}
-
-void write_numbers(Text_buffer& text, const std::vector<std::size_t>& numbers)
-{
-  const char* separator = ",";
-  for (std::size_t number : numbers) {
-    text << separator << std::int64_t(number);
-    separator = " ";
-  }
-  if (numbers.empty())
-    text << ",";
-}
-
-/// The place of a surface, and what is known of faces of machine parts.
-void write_face(Text_buffer& text, const Segment_description& segment)
-{
-  const RS::Fitted_surface<Kernel> s = surface_of(segment);
-  const bool has_point = s.kind != RS::Surface_kind::FREEFORM,
-             has_direction = has_point && s.kind != RS::Surface_kind::SPHERE;
-  for (double x : {s.point.x(), s.point.y(), s.point.z()})
-    write_value(text, has_point ? x : none);
-  for (double x : {s.direction.x(), s.direction.y(), s.direction.z()})
-    write_value(text, has_direction ? x : none);
-  write_value(text, s.kind == RS::Surface_kind::TORUS ? s.minor_radius : none);
-  for (double z : {s.lowest, s.highest})
-    write_value(text, segment.face && s.has_axis() ? z : none);
-  if (!segment.face)
-    text << ",,,,";
-  else
-    text << "," << (s.side < 0 ? 1 : 0) << "," << name_of(segment.face->role) << ","
-         << segment.face->same_surface << "," << segment.face->same_axis;
-  write_numbers(text, segment.smooth_neighbors.value_or(std::vector<std::size_t>()));
+  if (value.is_array())
+    for (const ordered_json& element : value) {
+      text << (&element == &value.front() ? "" : " ");
+      write_field(text, element);
+    }
+  else if (value.is_string())
+    text << value.get_ref<const std::string&>();
+  else if (value.is_boolean())
+    text << (value.get<bool>() ? "1" : "0");
+  else if (value.is_number_integer())
+    text << value.get<std::int64_t>();
+  else if (value.is_number() && std::isfinite(value.get<double>()))
+    text << value.get<double>();
 }
 
 /// Of the segments: by the areas of regions, whose unit is so that none is too large.
@@ -147,6 +131,7 @@ std::vector<double> area_shares(const Result& result)
     share = area > 0 ? share / area : 0;
   return shares;
 }
+
 const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
 {
   using CGAL::Region_segmentation::Feature_convexity;
@@ -256,26 +241,30 @@ void write_members(std::ostream& out, const ordered_json& json)
 void write_csv(std::ostream& out, const Result& result)
 {
   Text_buffer text(out);
-  text << "segment,faces,area,area_share,volume,volume_share,border_length,boundary_length,"
-          "centroid_x,centroid_y,"
-          "centroid_z,extent_1,extent_2,extent_3,primitive,radius,half_angle,error,neighbors,"
-          "point_x,point_y,point_z,direction_x,direction_y,direction_z,minor_radius,lowest,highest,"
-          "concave,role,same_surface,same_axis,smooth_neighbors\n";
+  text << "segment";
+  std::istringstream in(columns);
+  std::vector<ordered_json::json_pointer> members;
+  for (std::string name, member; in >> name >> member; members.emplace_back(member))
+    text << "," << name;
   const std::vector<double> shares = area_shares(result);
   for (const Segment_description& s : result.details.segments()) {
-    text << s.segment << "," << s.number_of_faces;
-    for (double value :
-         {s.area, shares[s.segment], s.volume, s.volume_share, s.border_length, s.boundary_length,
-          s.centroid.x(), s.centroid.y(), s.centroid.z(), s.extents[0], s.extents[1], s.extents[2]})
-      write_value(text, value);
-    write_primitive(text, s);
-    std::vector<std::size_t> neighbors;
-    for (const auto& neighbor : s.neighbors)
-      neighbors.push_back(neighbor.segment);
-    write_numbers(text, neighbors);
-    write_face(text, s);
-    text << "\n";
+    ordered_json json = segment_json(s);
+    json["area_share"] = shares[s.segment];
+    ordered_json neighbors, smooth_neighbors;
+    for (const ordered_json& neighbor : json["neighbors"]) {
+      neighbors.push_back(neighbor["segment"]);
+      if (neighbor.value("border", "") == "smooth")
+        smooth_neighbors.push_back(neighbor["segment"]);
+    }
+    json["neighbor_ids"] = neighbors; // not while a reference to a member is in use
+    json["smooth_neighbor_ids"] = smooth_neighbors;
+    text << "\n" << s.segment;
+    for (const auto& member : members) {
+      text << ",";
+      write_field(text, json.value(member, ordered_json()));
+    }
   }
+  text << "\n";
 }
 
 void write_json(std::ostream& out, const Result& result)
