@@ -54,8 +54,7 @@ Case load(const Job& job, const Options& options)
   }
   result.marks = read_marks(job.side_files, result.mesh);
   for (const std::string& truth : job.truths)
-    result.truths.push_back(
-      read_truth(truth, result.mesh.soup.polygons.size(), result.mesh.remarks));
+    result.truths.push_back(read_truth(truth, result.mesh.soup.polygons.size()));
   return result;
 }
 
@@ -63,8 +62,7 @@ Case load(const Job& job, const Options& options)
 /// one on faces of no segment.
 Segmentation read_labels(const std::string& file, Input_mesh& mesh)
 {
-  std::vector<std::int64_t> labels = read_truth(file, mesh.soup.polygons.size(), mesh.remarks)
-                                       .labels;
+  std::vector<std::int64_t> labels = read_truth(file, mesh.soup.polygons.size()).labels;
   Segmentation result = segmentation_from_labels(labels);
   const auto none = std::remove(labels.begin(), labels.end(), std::int64_t(-1));
   if (none != labels.end())

@@ -79,7 +79,7 @@ std::string line(const std::string& name, const Scores& scores)
 
 } // namespace
 
-Truth read_truth(const std::string& file, std::size_t number_of_faces, Remarks&)
+Truth read_truth(const std::string& file, std::size_t number_of_faces)
 {
   constexpr std::size_t longest_line = 21; // a label is an integer of 64 bits
   const std::string bytes = load_bytes(file,

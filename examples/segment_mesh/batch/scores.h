@@ -21,7 +21,7 @@ struct Truth
 
 /// Reads a .seg file: a label a line.
 /// \throws Input_error unless it has a label for each of `number_of_faces` faces
-Truth read_truth(const std::string& file, std::size_t number_of_faces, Remarks& remarks);
+Truth read_truth(const std::string& file, std::size_t number_of_faces);
 
 /// The measures against each truth, a line each, and a line of means if there are several;
 /// each line ends with a newline. They are taken on `make_manifold()` of the input.

@@ -144,8 +144,8 @@ void add_outputs(CLI::App& app, Raw_options& raw)
  pipe), .glb, .3mf, .stl (a part for each segment, to
  be shown or printed), .seg (the label of each face on
  a line), .csv (a table: area, volume, shape ... of
- each segment), .json (all of it). With .gz after it a file
- is compressed. {segment} in FILE: a mesh for each
+ each segment), .json (all of it). With .gz after it a
+ file is compressed. {segment} in FILE: a mesh for each
  segment. - is stdout. A file appears whole or not at
  all; stdout, a device or a pipe can be left half
  written.)");
