@@ -16,7 +16,7 @@ fi
 sh "$root/cmake/install_packages.sh" g++ make cmake libzip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
   libeigen3-dev libjs-three libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
 configured=$(cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
-  -DREGION_SEGMENTATION_BUILD_TESTS=OFF -DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF)
+  -DREGION_SEGMENTATION_BUILD_PROGRAM=ON -DREGION_SEGMENTATION_BUILD_TESTS=OFF)
 if missing=$(printf '%s\n' "$configured" | grep "segment_mesh is not built"); then
   echo "${missing#-- }" >&2
   exit 1

@@ -88,7 +88,7 @@ const std::vector<Row> rows = {
    "\x1b[31m\n", 0},
   {"a gzip file that is cut off or damaged", "refused: `is a gzip file that is cut off`", "a.off",
    gzip(off).substr(0, 50), 0},
-  {"a gzip file that exhausts the memory",
+  {"a gzip file that would grow without bound",
    "refused: `is a gzip file that grows by more than 100 times`", "a.off",
    gzip(std::string(200000000, '0')), 0},
   {"faces of different orientation", "segmented: neighbors are oriented alike", "a.off",

@@ -63,7 +63,7 @@ class Description(TypedDict):
     volume: float  # with caps on the borders
     volume_share: float
     centroid: Triple
-    axes: list[Triple]  # principal axes, the longest first
+    axes: list[Triple]  # principal axes, the one of largest variance first
     extents: Triple  # of the box along the axes
     border_length: float  # to other segments
     boundary_length: float  # on the border of the mesh

@@ -111,13 +111,9 @@ public:
   Polygon_soup read(Remarks& remarks)
   {
     try {
-      m_json = Json::parse(m_text.begin(), m_text.end());
+      parse();
       read_header();
       read_nodes();
-    } catch (const Json::parse_error& error) { // whose message quotes the text
-      const auto end = m_text.begin() + std::ptrdiff_t((std::min)(error.byte, m_text.size()));
-      throw Input_error(m_file, 1 + std::size_t(std::count(m_text.begin(), end, '\n')),
-                        "the text is not JSON");
     } catch (const Json::out_of_range& error) {
       const std::string cause = error.what(); // "[json.exception.out_of_range.403] key 'x' not
                                               // found"
@@ -132,6 +128,20 @@ public:
   }
 
 private:
+  /// Its messages would quote the text.
+  void parse()
+  {
+    try {
+      m_json = Json::parse(m_text.begin(), m_text.end());
+    } catch (const Json::parse_error& error) {
+      const auto end = m_text.begin() + std::ptrdiff_t((std::min)(error.byte, m_text.size()));
+      throw Input_error(m_file, 1 + std::size_t(std::count(m_text.begin(), end, '\n')),
+                        "the text is not JSON");
+    } catch (const Json::out_of_range&) {
+      fail("a number of the text is not a finite number");
+    }
+  }
+
   struct Placed_node
   {
     std::size_t node;
@@ -158,10 +168,13 @@ private:
              std::to_string(number(start)));
       return rest.substr(0, number(start));
     };
-    if (bytes.size() >= 8 && number(4) != 2)
+    constexpr std::size_t size_of_header = 12;
+    if (bytes.size() < size_of_header + 8)
+      fail("is cut off");
+    if (number(4) != 2)
       fail("is of glTF version " + std::to_string(number(4)) + "; version 2 is read");
-    m_text = chunk(12);
-    m_binary = chunk(12 + 8 + m_text.size());
+    m_text = chunk(size_of_header);
+    m_binary = chunk(size_of_header + 8 + m_text.size());
   }
 
   /// An element of a list of the file, which messages name from now on.
@@ -171,16 +184,22 @@ private:
     return m_json.at(list).at(i);
   }
 
-  std::size_t index(const Json& value) const
+  std::size_t index(const Json& value, const char* name) const
   {
     if (!value.is_number_unsigned())
-      fail("an index is not an integer of at least 0");
+      fail(std::string(name) + " is not an integer of at least 0");
     return value.get<std::size_t>();
   }
 
-  std::size_t index(const Json& object, const char* name, std::size_t otherwise) const
+  /// A member of an object.
+  std::size_t member(const Json& object, const char* name) const
   {
-    return object.contains(name) ? index(object[name]) : otherwise;
+    return index(object.at(name), name);
+  }
+
+  std::size_t member(const Json& object, const char* name, std::size_t otherwise) const
+  {
+    return object.contains(name) ? member(object, name) : otherwise;
   }
 
   /// A member that is a list; an empty one where it is missing.
@@ -192,7 +211,7 @@ private:
   void read_header()
   {
     const std::string version = m_json.at("asset").at("version");
-    if (version.rfind('2', 0) != 0)
+    if (version.rfind("2.", 0) != 0)
       fail("is of glTF version " + in_quotes(version) + "; version 2 is read");
     for (const Json& extension : list(m_json, "extensionsRequired"))
       if (!is_harmless(extension))
@@ -202,17 +221,19 @@ private:
         m_hint = ": the file uses " + not_read(extension);
     for (std::size_t i = 0; m_json.contains("buffers") && i < m_json["buffers"].size(); ++i) {
       const Json& buffer = element("buffers", i);
-      m_buffers.push_back(buffer.contains("uri") ? load(buffer["uri"])
-                                                 : std::string(i == 0 ? m_binary : ""));
+      const std::size_t size = member(buffer, "byteLength");
+      const bool has_uri = buffer.contains("uri");
+      m_buffers.push_back(has_uri ? load(buffer["uri"], size)
+                                  : std::string(i == 0 ? m_binary : ""));
       m_most_numbers += most_numbers_per_byte * m_buffers[i].size();
-      const std::size_t size = index(buffer.at("byteLength"));
-      if (!m_buffers[i].empty() && m_buffers[i].size() < size)
+      if ((has_uri || !m_buffers[i].empty()) && m_buffers[i].size() < size)
         fail("has " + std::to_string(m_buffers[i].size()) + " of " + counted(size, "byte"));
     }
   }
 
-  /// The bytes of a buffer that are in its URI, or in a file of the folder of the file or below it.
-  std::string load(const std::string& uri) const
+  /// The bytes of a buffer that are in its URI, or the first ones of a file of the folder of the
+  /// file or below it.
+  std::string load(const std::string& uri, std::size_t size) const
   {
     constexpr std::string_view encoding = ";base64,";
     if (uri.rfind("data:", 0) == 0) {
@@ -228,10 +249,13 @@ private:
     if (relative.empty() || *relative.begin() == "..")
       fail(in_quotes(uri) + " is not in the folder of the file");
     std::error_code error;
+    if (!fs::is_regular_file(path, error)) // a pipe would be waited for
+      fail(in_quotes(uri) + " is not a file");
     std::ifstream in(path, std::ios::binary);
-    if (!fs::is_regular_file(path, error) || !in)
+    std::string bytes((std::min)(size, std::size_t(fs::file_size(path))), '\0');
+    if (!in.read(bytes.data(), std::streamsize(bytes.size())))
       fail(in_quotes(uri) + " cannot be read");
-    return {std::istreambuf_iterator<char>(in), {}};
+    return bytes;
   }
 
   void read_nodes()
@@ -251,9 +275,9 @@ private:
       const Eigen::Affine3d to_world = placed.to_world * transformation(node);
       const Json children = list(node, "children");
       for (auto child = children.rbegin(); child != children.rend(); ++child)
-        open.push_back({index(*child), to_world});
+        open.push_back({index(*child, "a child"), to_world});
       if (node.contains("mesh"))
-        add_mesh(index(node["mesh"]), to_world);
+        add_mesh(member(node, "mesh"), to_world);
     }
   }
 
@@ -262,15 +286,16 @@ private:
   std::vector<std::size_t> root_nodes()
   {
     std::vector<std::size_t> roots;
+    m_place.clear();
     if (m_json.contains("scenes")) {
-      for (const Json& node : list(element("scenes", index(m_json, "scene", 0)), "nodes"))
-        roots.push_back(index(node));
+      for (const Json& node : list(element("scenes", member(m_json, "scene", 0)), "nodes"))
+        roots.push_back(index(node, "a node"));
     } else if (m_json.contains("nodes")) {
       std::vector<char> is_child(m_json["nodes"].size());
       for (const Json& node : m_json["nodes"])
         for (const Json& child : list(node, "children"))
-          if (index(child) < is_child.size())
-            is_child[index(child)] = true;
+          if (const std::size_t i = index(child, "a child"); i < is_child.size())
+            is_child[i] = true;
       for (std::size_t node = 0; node < is_child.size(); ++node)
         if (!is_child[node])
           roots.push_back(node);
@@ -301,8 +326,7 @@ private:
   {
     for (const Json& primitive : element("meshes", mesh).at("primitives")) {
       element("meshes", mesh); // what messages name
-      element("meshes", mesh); // what messages name
-      const std::size_t mode = index(primitive, "mode", TRIANGLES);
+      const std::size_t mode = member(primitive, "mode", TRIANGLES);
       if (mode > TRIANGLE_FAN)
         fail("an unknown mode");
       if (mode < TRIANGLES)
@@ -353,10 +377,10 @@ private:
   /// The numbers of an accessor, `size` of them for each element.
   std::vector<double> values(const Json& accessor_index, const char* type, std::size_t size)
   {
-    const Json& accessor = element("accessors", index(accessor_index));
+    const Json& accessor = element("accessors", index(accessor_index, "an accessor"));
     if (accessor.at("type") != type)
       fail("has another type than its use");
-    const std::size_t count = index(accessor.at("count"));
+    const std::size_t count = member(accessor, "count");
     if (count > m_most_numbers || (m_number_of_numbers += count * size) > m_most_numbers)
       fail("more points than the file has, or a mesh that is repeated too often");
     std::vector<double> result(count * size);
@@ -366,7 +390,7 @@ private:
       fail("has no data" + m_hint);
     if (accessor.contains("sparse")) {
       const Json& sparse = accessor["sparse"];
-      const std::size_t number = index(sparse.at("count"));
+      const std::size_t number = member(sparse, "count");
       const std::vector<double> places = stored(sparse.at("indices"), sparse.at("indices"), number,
                                                 1),
                                 changes = stored(sparse.at("values"), accessor, number, size);
@@ -385,17 +409,19 @@ private:
                              std::size_t components) const
   {
     constexpr std::size_t first_type = 5120;
-    const std::size_t code = index(format.at("componentType"));
+    const std::size_t code = member(format, "componentType");
     if (code < first_type || code > first_type + std::size_t(Number_type::FLOAT32))
       fail("an unknown type of numbers");
     const Number_type type = Number_type(code - first_type);
     const bool is_normalized = format.value("normalized", false);
 
-    const Json& view = m_json.at("bufferViews").at(index(place.at("bufferView")));
-    const std::size_t buffer = index(view.at("buffer")), start = index(view, "byteOffset", 0),
-                      length = index(view.at("byteLength"));
-    const std::size_t size = components * size_of(type), offset = index(place, "byteOffset", 0),
-                      stride = (std::max)(index(view, "byteStride", size), std::size_t(1));
+    const Json& view = m_json.at("bufferViews").at(member(place, "bufferView"));
+    const std::size_t buffer = member(view, "buffer"), start = member(view, "byteOffset", 0),
+                      length = member(view, "byteLength");
+    const std::size_t size = components * size_of(type), offset = member(place, "byteOffset", 0),
+                      stride = member(view, "byteStride", size);
+    if (stride < size)
+      fail("elements that overlap: a byteStride of " + counted(stride, "byte"));
     if (buffer >= m_buffers.size() || m_buffers[buffer].empty())
       fail("has no data" + m_hint);
     const std::string_view bytes = std::string_view(m_buffers[buffer])

@@ -289,7 +289,7 @@ private:
       return value >= std::int64_t((Limits::min)()) && value <= std::int64_t((Limits::max)());
     });
     if (!is_in_range)
-      fail(std::to_string(value) + " is too large for its type");
+      fail(std::to_string(value) + " is out of the range of its type");
     return value;
   }
 

@@ -58,7 +58,8 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remark
   const std::size_t available = (bytes.size() - data_offset) / triangle_size;
   if (promised > available)
     throw Input_error(file, "the header promises " + counted(promised, "triangle") +
-                              ", the file ends after " + std::to_string(available));
+                              ", the file ends after " + std::to_string(available) +
+                              ": no whole binary STL, and no text that starts with 'solid'");
   if (const std::size_t rest = bytes.size() - data_offset - triangle_size * promised; rest > 0)
     remarks.push_back(bytes_not_read(file, rest) + " at the end: the header promises " +
                       counted(promised, "triangle"));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <unordered_map>
 
 namespace segment_mesh {
@@ -48,10 +49,9 @@ Viewpoint viewpoint_from(double azimuth, double elevation, const Up_direction& u
   const double a = azimuth * radian, e = elevation * radian;
   // The axis that is up, and the two that follow it; to turn it down also turns the last one.
   const auto vector = [&](double upward, double forward, double sideward) {
-    Point v;
-    v[up.axis] = up.sign * upward;
-    v[(up.axis + 1) % 3] = forward;
-    v[(up.axis + 2) % 3] = up.sign * sideward;
+    Point v = {up.sign * upward, forward, up.sign * sideward};
+    // emscripten 3.1.6 loses elements that are set by computed indices.
+    std::rotate(v.begin(), v.end() - std::ptrdiff_t(up.axis), v.end());
     return v;
   };
   Viewpoint v;
