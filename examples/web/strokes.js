@@ -7,7 +7,7 @@ class Strokes {
     this.list = []; // {kind: "part" or "border", seed, places}; a place is a point of space with its face
     this.target = new THREE.WebGLRenderTarget(1, 1, {minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter});
     this.scene = new THREE.Scene();
-    this.scene.add(new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial({...Strokes.triangleShader, side: THREE.DoubleSide})));
+    this.scene.add(new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial({...Strokes.triangleShader, uniforms: view.tables, side: THREE.DoubleSide})));
     this.lift = {value: 0};
     this.dots = new THREE.BufferGeometry();
     view.overlay.add(this.makeDots(11, true), this.makeDots(7, false));
@@ -42,7 +42,7 @@ class Strokes {
   placeAt(x, y) {
     const {renderer, camera, geometry} = this.view, ratio = renderer.getPixelRatio(), pixel = new Uint8Array(4);
     const size = renderer.getDrawingBufferSize(new THREE.Vector2());
-    if (this.isStale || size.x !== this.target.width || size.y !== this.target.height) {
+    if (this.isStale || this.isHidden !== this.view.isHidden || size.x !== this.target.width || size.y !== this.target.height) {
       this.target.setSize(size.x, size.y);
       camera.updateMatrixWorld();
       renderer.setRenderTarget(this.target);
@@ -50,6 +50,7 @@ class Strokes {
       renderer.render(this.scene, camera);
       renderer.setRenderTarget(null);
       this.isStale = false;
+      this.isHidden = this.view.isHidden;
     }
     renderer.readRenderTargetPixels(this.target, Math.floor(x * ratio), size.y - 1 - Math.floor(y * ratio), 1, 1, pixel);
     const triangle = pixel[0] + 256 * pixel[1] + 65536 * pixel[2] - 1;
@@ -229,7 +230,7 @@ class Edges {
 
 /// The number of the triangle and 1 in three bytes; 0 is the background.
 Strokes.triangleShader = {
-  vertexShader: MeshView.regionShader.vertexShader.replace(/\bregion\b/g, "triangle"),
+  vertexShader: MeshView.regionShader.vertexShader.replace("float region", "float region, triangle").replace("number = region", "number = triangle"),
   fragmentShader: MeshView.regionShader.fragmentShader
 };
 

@@ -215,7 +215,7 @@ def check_keys(page):
     for _ in range(30 + page.rows()):
         ActionChains(browser).send_keys(Keys.TAB).perform()
         reached.append(page.script("const a = document.activeElement; return a.id || a.dataset.tool || a.tagName"))
-    for name in ("view", "open", "method", "count", "slider", "coloring", "select", "part", "border", "LI", "save-labels", "save-picture",
+    for name in ("view", "open", "method", "count", "slider", "select", "part", "border", "LI", "save-labels", "save-picture",
                  "save-mesh", "format"):
         assert name in reached, (name, reached)
     page.script("document.getElementById('file').addEventListener('click', event => { event.preventDefault(); window.chosen = true; })")
