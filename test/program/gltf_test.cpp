@@ -113,6 +113,11 @@ TEST_F(Gltf, has_strips_fans_and_triangles_without_indices)
   EXPECT_EQ(
     triangles(R"("indices":1,"mode":5)"),
     (Polygons{{0, 2, 1}, {2, 0, 1}, {0, 3, 1}, {3, 2, 1}, {1, 2, 3}, {2, 0, 3}, {0, 2, 3}}));
+  std::string buffer = sample::gltf_buffer().substr(0, 48);
+  for (const std::uint16_t i : {0, 0, 1, 2, 2, 3, 3, 3, 1, 0, 0, 2})
+    append_little_endian(buffer, i);
+  const std::string strip = with(gltf_json(""), R"("mode":4)", R"("mode":5)");
+  EXPECT_EQ(read("a.glb", glb(strip, buffer)).soup.polygons, (Polygons{{0, 2, 1}, {3, 0, 1}}));
 }
 
 TEST_F(Gltf, has_quantized_positions)

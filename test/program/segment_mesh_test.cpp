@@ -168,8 +168,9 @@ TEST_F(Program, goes_on_after_a_bad_input)
 TEST_F(Program, is_quiet_about_remarks_if_asked)
 {
   folder.write("a.obj", "hello\n" + sample::obj());
-  const Outcome loud = run("a.obj -k 1 -o a.seg");
+  const Outcome loud = run("a.obj -k 1 -o a.seg -o a.json");
   EXPECT_EQ(loud.status, 0);
+  EXPECT_NE(folder.read("a.json").find("unknown statement 'hello' skipped"), std::string::npos);
   EXPECT_EQ(loud.err.rfind("a.obj:1: unknown statement 'hello' skipped", 0), 0u) << loud.err;
   EXPECT_EQ(folder.read("a.seg"), "0\n0\n0\n0\n");
   const Outcome quiet = run("a.obj -k 1 --quiet");
