@@ -24,7 +24,7 @@ std::size_t index_below(const Text_scanner& scan, std::string_view word, std::si
   return std::size_t(index);
 }
 
-std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& input)
+std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_mesh& input)
 {
   const std::string bytes = load_bytes(file);
   const Edge_list edges(input.soup);
@@ -51,7 +51,7 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, Input_mesh& i
   return result;
 }
 
-std::vector<std::size_t> read_seeds(const std::string& file, Input_mesh& input)
+std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& input)
 {
   const std::string bytes = load_bytes(file);
   Text_scanner scan(file, bytes, '#');
@@ -76,7 +76,7 @@ std::vector<std::size_t> read_seeds(const std::string& file, Input_mesh& input)
 
 } // namespace
 
-Marks read_marks(const Side_files& files, Input_mesh& input)
+Marks read_marks(const Side_files& files, const Input_mesh& input)
 {
   Marks marks;
   if (!files.constraints.empty())

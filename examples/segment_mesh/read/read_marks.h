@@ -20,7 +20,7 @@ namespace segment_mesh {
 ///
 /// \throws Input_error naming file, line and cause, also for points that no edge joins, and for a
 /// face with two seeds
-Marks read_marks(const Side_files& files, Input_mesh& input);
+Marks read_marks(const Side_files& files, const Input_mesh& input);
 
 /// The marks as lines on a picture of `input.soup`: constrained edges, and the edges of faces with
 /// a seed.
