@@ -9,8 +9,8 @@
 
 namespace segment_mesh {
 
-/// The shape of a segment as an object, see write/write_tables.cpp; values that are not finite are
-/// null.
+/// The shape of a segment as an object, see doc/Region_segmentation/Program.txt; values that are
+/// not finite are null.
 nlohmann::ordered_json segment_json(const Segment_description& segment);
 
 } // namespace segment_mesh

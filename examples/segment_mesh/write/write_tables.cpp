@@ -1,64 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The .csv output: a line for each segment, after one of the names of its columns.
-//
-//   segment, faces, area, area_share, volume, volume_share, border_length, boundary_length,
-//   centroid_x, centroid_y, centroid_z, extent_1, extent_2, extent_3, primitive, radius,
-//   half_angle, error, neighbors, point_x, point_y, point_z, direction_x, direction_y, direction_z,
-//   minor_radius, lowest, highest, concave, role, same_surface, same_axis, smooth_neighbors
-//
-// They are those of `Segment_description`; lengths, areas and volumes in units of the mesh,
-// half_angle in degrees. radius is empty but for a sphere, cylinder or torus, half_angle but for a
-// cone; neighbors are separated by spaces, -1 stands for faces of no segment. A value that is too
-// large for a double is empty.
-// Of the method smooth-faces, unless faces were merged: primitive and what belongs to it are those
-// of `Fitted_surface`, the point of a cone its apex, error the largest distance of a vertex;
-// lowest and highest the ends of a cylinder, cone or torus along direction from point; concave 1 or
-// 0, empty for a plane; role none, blend, hole or boss; same_surface and same_axis the first
-// segment on the same surface, with the same axis; smooth_neighbors those of the neighbors that it
-// meets smoothly.
-
-// The .json output. One object, a line for each member and each element of a list of objects:
-//
-//   format        "segment_mesh"
-//   version       2; grows when a member changes its meaning or goes, not when one is added
-//   program       version of the program
-//   input         name (in UTF-8; U+FFFD stands for what is not), faces, points
-//   settings      method: as on the command line; segments: the wanted number, null if it was
-//                 chosen; links: whether components are adjacent; smooth_borders: whether borders
-//                 were smoothed; constraints, seeds: the names of the files, if given; and of
-//                 two-step features: "concave", "convex" or "all"; max_angle: in degrees; of
-//                 smooth-faces tolerance: in units of the mesh, if given and not 0. Of a
-//                 segmentation that was read, labels alone: the name of its file
-//   times         in seconds: total, from the mesh in memory to the labels, and its stages, each
-//                 with stage and seconds, in order
-//   segments      for each segment, by its id, what `Segment_description` has, with angles
-//                 in degrees: faces, area, volume, volume_share, centroid, axes, extents,
-//                 border_length, boundary_length, neighbors (segment, border_length,
-//                 mean_signed_deviation), primitive (type, error, point, and where it has them
-//                 direction, radius, half_angle). Of the method smooth-faces also: border of a
-//                 neighbor, "smooth" or "sharp"; and unless faces were merged: in primitive, which
-//                 is that of `Fitted_surface` with the apex as the point of a cone, and error the
-//                 largest distance of a vertex: minor_radius, concave (whether its inside is seen),
-//                 extent (the ends along direction from point); type alone if it is "freeform";
-//                 role
-//                 ("none", "blend", "hole", "boss"); same_surface, same_axis (the first segment on
-//                 the same surface, with the same axis)
-//   regions       for each region that merging started from, by its id: segment, faces, area,
-//                 perimeter (shared with other regions)
-//   sections      for each pair of adjacent regions: regions (two ids), edges (seams and
-//                 links, too), length, mean_angle (the dihedral angle, in radians; pi is flat).
-//                 Lengths and areas of regions and sections are in units of `Surface::unit()`:
-//                 those of the mesh, unless areas might exceed the range of double
-//   merges        in order: regions (the one that is kept, the one that joins it), cost (in units
-//                 of the method)
-//   feature_lines of two-step: the lines of feature edges that are left, each by the indices of its
-//                 points, from 0 on
-//   face_segments the segment of each face, in the order of the input's file
-//   face_regions  the region of each face
-//   remarks       what the reader had to say, as texts
-//
-// Numbers are finite, but where a value is too large for a double there is null.
+// The .csv and the .json output. doc/Region_segmentation/Program.txt has their columns and members.
 
 #include "segmentation/segment_json.h"
 #include "write/Text_buffer.h"
