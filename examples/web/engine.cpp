@@ -80,7 +80,7 @@ val open_file(const std::string& name, const std::string& bytes)
     opened->name = name;
     if (bytes.empty())
       throw Input_error(name, "is empty");
-    opened->mesh.soup = read_soup(name, mesh_format(name), bytes, opened->mesh.remarks);
+    opened->mesh = parse_mesh(name, mesh_format(name), bytes);
     return val::object();
   });
 }
@@ -155,11 +155,19 @@ void write(std::ostream& out, const std::string& ending, const Labelled_mesh& me
   if (ending == ".glb")
     write_glb(out, mesh);
   else if (ending == ".obj")
-    write_obj(out, mesh);
+    write_obj(out, mesh,
+              has_obj_materials(mesh.properties) ? mesh.properties.library->files
+                                                 : std::vector<std::string>());
   else if (ending == ".off")
     write_off(out, mesh);
   else
     write_ply(out, mesh);
+}
+
+/// The opened mesh with segments.
+Labelled_mesh labelled(const std::vector<std::size_t>& segment_of_face)
+{
+  return {opened->mesh.soup, segment_of_face, {}, opened->mesh.properties};
 }
 
 /// The bytes of a file of the mesh, colored by `labels`.
@@ -167,7 +175,7 @@ val write_mesh(const std::string& ending, const val& labels)
 {
   return answer([&] {
     std::ostringstream out;
-    write(out, ending, {opened->mesh.soup, to_indices(labels)});
+    write(out, ending, labelled(to_indices(labels)));
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;
@@ -183,9 +191,10 @@ val write_part(const std::string& ending, const val& labels, unsigned label)
     for (std::size_t f = 0; f < segment_of_face.size(); ++f)
       if (segment_of_face[f] == label)
         faces.push_back(f);
-    const Polygon_soup part = extract_faces(opened->mesh.soup, faces);
+    const Mesh_part part = extract_faces(labelled(segment_of_face), faces);
     std::ostringstream out;
-    write(out, ending, {part, std::vector<std::size_t>(faces.size(), label)});
+    write(out, ending,
+          {part.soup, std::vector<std::size_t>(faces.size(), label), {}, part.properties});
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;

@@ -23,14 +23,34 @@ std::size_t memory_of(const Polygon_soup& soup)
          (soup.polygons.capacity() + soup.polygons.corners().capacity()) * sizeof(Polygons::Index);
 }
 
+/// Of each element there is a value, and no index is out of range.
+void check_properties(const Input_mesh& input)
+{
+  const Mesh_properties& properties = input.properties;
+  const Polygons& polygons = input.soup.polygons;
+  for (const Face_sets& sets : properties.sets) {
+    require(sets.empty() || sets.set_of_face.size() == polygons.size(), "each face is in a set");
+    for (const std::size_t set : sets.set_of_face)
+      require(set < sets.names.size(), "sets have names");
+  }
+  require(properties.colors.empty() || properties.colors.size() == input.soup.points.size(),
+          "each point has a color");
+  require(properties.texture_corners.empty() ||
+            properties.texture_corners.size() == polygons.corners().size(),
+          "each corner has a texture point or none");
+  for (const Polygons::Index i : properties.texture_corners)
+    require(i == Mesh_properties::no_texture || i < properties.texture_points.size(),
+            "texture points are there");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  Remarks remarks;
   try {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const Polygon_soup soup = read_soup("x", Mesh_format::FORMAT, bytes, remarks);
+    const Input_mesh input = parse_mesh("x", Mesh_format::FORMAT, bytes);
+    const Polygon_soup& soup = input.soup;
     require(!soup.polygons.empty(), "there are faces");
     for (const Point& p : soup.points)
       require(is_finite(p), "coordinates are finite");
@@ -41,7 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(memory_of(soup) <= harmless_memory + most_memory_per_byte * size,
             "memory is proportional to the file");
-    for (const std::string& remark : remarks)
+    check_properties(input);
+    for (const std::string& remark : input.remarks)
       require(remark.rfind("x:", 0) == 0 && remark.find('\n') == std::string::npos,
               "a remark is a line: " + remark);
   } catch (const Input_error& error) {

@@ -45,8 +45,7 @@ void print_file(const std::string& file)
   std::ifstream in(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   try {
-    segment_mesh::Remarks remarks;
-    print_mesh(file.substr(file.rfind('/') + 1), segment_mesh::read_off(file, bytes, remarks));
+    print_mesh(file.substr(file.rfind('/') + 1), segment_mesh::read_off(file, bytes).soup);
   } catch (const segment_mesh::Input_error& e) { // some are broken by intent
     std::fprintf(stderr, "%s\n", e.what());
   }

@@ -140,6 +140,8 @@ TEST(MachinePart, json_has_faces)
   EXPECT_EQ(words(s, "/primitive/type"),
             "plane cylinder plane cylinder plane cylinder cone plane cylinder plane ");
   EXPECT_EQ(words(s, "/role"), "none none none none none none none none hole hole ");
+  EXPECT_EQ(words(s, "/name"), "plane_0 cylinder_1 plane_2 cylinder_3 plane_4 cylinder_5 cone_6 "
+                               "plane_7 hole_8_r0.5 hole_9 ");
   std::vector<std::size_t> surfaces, axes;
   for (const auto& segment : s) {
     surfaces.push_back(segment["same_surface"]);
@@ -178,6 +180,7 @@ TEST(MachinePart, json_has_kinds_of_borders)
   EXPECT_EQ(smooth, 16u);
   EXPECT_EQ(s[0]["role"], "none");
   EXPECT_EQ(s[1]["role"], "blend");
+  EXPECT_EQ(s[1]["name"], "fillet_1");
 }
 
 TEST(MachinePart, csv_agrees_with_json)
@@ -203,6 +206,7 @@ TEST(MachinePart, csv_agrees_with_json)
       };
       EXPECT_EQ(field("primitive"), surface["type"]);
       EXPECT_EQ(field("role"), segment["role"]);
+      EXPECT_EQ(field("name"), segment["name"]);
       if (surface.contains("concave")) {
         EXPECT_EQ(field("concave"), surface["concave"] ? "1" : "0");
       }
@@ -233,6 +237,8 @@ TEST(MachinePart, merged_faces_have_primitives)
   std::size_t faces = 0;
   for (const auto& segment : merged.segments()) {
     faces += segment.contains("role");
+    EXPECT_EQ(segment["name"].get<std::string>().rfind("segment_", 0) == 0,
+              !segment.contains("role"));
     EXPECT_EQ(segment["primitive"].contains("extent"), false);
   }
   EXPECT_LT(faces, 3u);

@@ -222,7 +222,8 @@ TEST(Labels_and_marks, may_end_lines_with_carriage_returns)
   const std::string labels = folder.write("a.seg", "5\r# x\r6\r\n7\n8\r");
   EXPECT_EQ(read_truth(labels, 4).labels, (std::vector<std::int64_t>{5, 6, 7, 8}));
   const Marks marks = read_marks(
-    {"", folder.write("a.txt", "0 1\r1 2\r"), folder.write("b.txt", "1 3\r2 4\r")}, input);
+    {"", folder.write("a.txt", "0 1\r1 2\r"), folder.write("b.txt", "1 3\r2 4\r"), {}, {}}, "a.off",
+    input);
   EXPECT_EQ(marks.constrained_edges, (std::vector<Vertex_pair>{{0, 1}, {1, 2}}));
   EXPECT_EQ(marks.seed_of_face, (std::vector<std::size_t>{no_seed, 3, 4, no_seed}));
   EXPECT_THROW(read_truth(folder.write("c.seg", std::string("\xff\xfe\0\0", 4)), 4), Input_error);

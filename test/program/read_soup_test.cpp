@@ -99,15 +99,15 @@ Polygon_soup by_cgal(const std::string& bytes, Read read)
 
 void expect_same(Mesh_format format, const std::string& bytes, const Polygon_soup& expected)
 {
-  Remarks remarks;
-  const Polygon_soup soup = read_soup("x", format, bytes, remarks);
+  const Input_mesh input = parse_mesh("x", format, bytes);
+  const Polygon_soup& soup = input.soup;
   ASSERT_EQ(soup.points.size(), expected.points.size()) << bytes;
   // To the bit, with the signs of zeros.
   ASSERT_EQ(
     std::memcmp(soup.points.data(), expected.points.data(), sizeof(Point) * soup.points.size()), 0)
     << bytes;
   ASSERT_EQ(soup.polygons, expected.polygons) << bytes;
-  EXPECT_TRUE(remarks.empty());
+  EXPECT_TRUE(input.remarks.empty());
 }
 
 constexpr int number_of_files = 1000;
@@ -305,26 +305,23 @@ TEST_F(Random_ply_files, have_any_types)
 /// A count in a header that the file does not keep must not be believed when memory is reserved.
 TEST(Lying_headers, take_no_memory)
 {
-  Remarks remarks;
   const std::string count = "1000000000000000000";
   const std::string ply = " 1.0\nelement vertex " + count +
                           "\nproperty float x\nproperty float y\nproperty float z\n"
                           "element face " +
                           count + "\nproperty list uint int vertex_indices\nend_header\n";
   for (const std::string format : {"ascii", "binary_little_endian"})
-    EXPECT_THROW(
-      read_soup("x", Mesh_format::PLY, "ply\nformat " + format + ply + "1 2 3 4 5 6 7", remarks),
-      Input_error);
-  EXPECT_THROW(
-    read_soup("x", Mesh_format::OFF, "OFF " + count + " " + count + " 0\n1 2 3\n", remarks),
-    Input_error);
-  EXPECT_THROW(read_soup("x", Mesh_format::OFF,
-                         "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + count + " 0 1 2\n", remarks),
+    EXPECT_THROW(parse_mesh("x", Mesh_format::PLY, "ply\nformat " + format + ply + "1 2 3 4 5 6 7"),
+                 Input_error);
+  EXPECT_THROW(parse_mesh("x", Mesh_format::OFF, "OFF " + count + " " + count + " 0\n1 2 3\n"),
                Input_error);
+  EXPECT_THROW(
+    parse_mesh("x", Mesh_format::OFF, "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + count + " 0 1 2\n"),
+    Input_error);
   const std::string faces =
     "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n";
-  EXPECT_THROW(read_soup("x", Mesh_format::PLY, faces + "\xff\xff\xff\xff", remarks), Input_error);
+  EXPECT_THROW(parse_mesh("x", Mesh_format::PLY, faces + "\xff\xff\xff\xff"), Input_error);
 }
 
 } // namespace read_soup_test

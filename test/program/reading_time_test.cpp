@@ -34,7 +34,7 @@ Input_mesh bumpy_square(std::size_t n)
       soup.polygons.push_back({a, b, b + 1});
       soup.polygons.push_back({a, b + 1, a + 1});
     }
-  return {std::move(soup), {}};
+  return {std::move(soup), {}, {}};
 }
 
 /// The least CPU time of some calls, in seconds.

@@ -292,7 +292,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings = ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, "
-                              ".json, .csv, .png, .html, .glb, .3mf or .stl";
+                              ".json, .csv, .png, .html, .glb, .3mf, .stl or .msh";
   for (const std::string size : {"0", "16385"})
     for (const std::string& sizes : {size, size + "x600", "600x" + size})
       expect_wrong_usage("a.off --size " + sizes,
@@ -692,6 +692,13 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
                      "-o -: would be written twice");
   expect_wrong_usage("a.off -o /dev/null", "-o /dev/null: needs --output-format");
   expect_wrong_usage("a.off -o b.seg --solids", "--solids: no -o is a mesh");
+  expect_wrong_usage("a.off --labels b.seg --labels-from groups",
+                     "--labels-from: there are --labels, too");
+  expect_wrong_usage("a.off --labels-from groups --seeds b.txt",
+                     "--seeds: with --labels-from nothing is segmented");
+  expect_wrong_usage("a.off -o b.ply --painted", "--painted: no -o is a .3mf");
+  expect_wrong_usage("a.off -o b.3mf --painted --solids",
+                     "--painted: with --solids the mesh is not in one piece");
   folder.write("b.obj", sample::obj());
   expect_wrong_usage("b.obj -o b.obj.gz",
                      "-o b.obj.gz: its .mtl would replace the materials of an input");
@@ -710,7 +717,7 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
                      "-o {stem}.seg: {stem} is b{segment} here, which holds {segment}");
   expect_wrong_usage(
     "a.off -k 2 -o '{segment}.png'",
-    "{segment}.png: a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb or .3mf");
+    "{segment}.png: a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb, .3mf or .msh");
   expect_wrong_usage("a.off -k 2 -o '{segment}/b.ply'",
                      "{segment}/b.ply: {segment} belongs to the name of the file, not of its "
                      "folder");

@@ -52,7 +52,7 @@ Case load(const Job& job, const Options& options)
   } else {
     result.mesh = read_mesh(job.input, options.input_format);
   }
-  result.marks = read_marks(job.side_files, result.mesh);
+  result.marks = read_marks(job.side_files, job.input, result.mesh);
   for (const std::string& truth : job.truths)
     result.truths.push_back(read_truth(truth, result.mesh.soup.polygons.size()));
   return result;
@@ -75,6 +75,20 @@ Segmentation read_labels(const std::string& file, Input_mesh& mesh)
     mesh.remarks.push_back(one_line(file) + ": labels from " + std::to_string(*least) + " to " +
                            std::to_string(*greatest) + " are numbered from 0 to " +
                            std::to_string(result.number_of_segments - 1));
+  return result;
+}
+
+/// A segment for each set of the input that has faces, in their order.
+Segmentation labels_of_sets(const Face_sets& sets)
+{
+  Segmentation result = segmentation_from_labels(
+    {sets.set_of_face.begin(), sets.set_of_face.end()});
+  std::vector<char> is_used(sets.names.size());
+  for (std::size_t set : sets.set_of_face)
+    is_used[set] = true;
+  for (std::size_t set = 0; set < sets.names.size(); ++set)
+    if (is_used[set])
+      result.names.push_back(sets.names[set]);
   return result;
 }
 
@@ -119,7 +133,7 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
     segments += " (the most that are chosen: there may be more parts, see -k)";
   const std::string start = one_line(job.input) + ": " +
                             counted(input.mesh.soup.polygons.size(), "face") + ", ";
-  if (!job.side_files.labels.empty())
+  if (job.side_files.has_labels())
     return start + segments + "\n";
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
@@ -147,9 +161,13 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   Segmentation_settings settings = options.settings;
   if (job.is_model && !settings.number_of_segments)
     settings.number_of_segments = input.true_number_of_segments;
-  const Segmentation segmentation = job.side_files.labels.empty()
-                                      ? segment(job, input, settings, listener)
-                                      : read_labels(job.side_files.labels, input.mesh);
+  const Side_files& side_files = job.side_files;
+  const Segmentation segmentation = side_files.labels_from
+                                      ? labels_of_sets(sets_of_input(job.input, input.mesh,
+                                                                     *side_files.labels_from))
+                                    : side_files.has_labels()
+                                      ? read_labels(side_files.labels, input.mesh)
+                                      : segment(job, input, settings, listener);
   if (options.verbosity == Verbosity::NORMAL)
     for (const std::string& remark : input.mesh.remarks)
       report.err += remark + "\n";

@@ -40,6 +40,9 @@ const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENT
 const std::map<std::string, Up_direction> up_directions = {
   {"x", {0, 1}}, {"y", {1, 1}}, {"z", {2, 1}}, {"-x", {0, -1}}, {"-y", {1, -1}}, {"-z", {2, -1}}};
 
+const std::map<std::string, Set_kind> set_kinds = {
+  {"groups", Set_kind::GROUPS}, {"materials", Set_kind::MATERIALS}, {"solids", Set_kind::SOLIDS}};
+
 const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 
 /// More would be a slip of the hand.
@@ -56,6 +59,7 @@ struct Raw_options
   std::string method = "learned", features = "concave";
   std::string coloring = "segment";
   std::string input_format;
+  std::string labels_from, constraints_from;
   std::pair<double, double> view; ///< azimuth and elevation, in degrees
   std::string up = "y", size;
 };
@@ -127,6 +131,12 @@ and the score against them is printed.)");
 The file has a label for each face. They are drawn,
 described and compared; faces of label -1 are of no
 segment. {stem} as in -o.)");
+  input
+    .add("--labels-from", raw.labels_from, "SETS",
+         R"(The same with the groups (.obj; nodes of .gltf),
+materials (.obj, .gltf) or solids (.stl) of the INPUT.
+Segments have their names.)")
+    ->check(one_of(set_kinds));
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)
@@ -142,8 +152,9 @@ void add_outputs(CLI::App& app, Raw_options& raw)
  ParaView; the faces of .obj are ordered by segment,
  and a .mtl beside it has the colors, unless it is a
  pipe), .glb, .3mf, .stl (a part for each segment, to
- be shown or printed), .seg (the label of each face on
- a line), .csv (a table: area, volume, shape ... of
+ be shown or printed), .msh (for gmsh: a physical group
+ a segment), .seg (the label of each face on a line),
+ .csv (a table: area, volume, shape ... of
  each segment), .json (all of it). With .gz after it a
  file is compressed. {segment} in FILE: a mesh for each
  segment. - is stdout. A file appears whole or not at
@@ -152,6 +163,10 @@ void add_outputs(CLI::App& app, Raw_options& raw)
   output.add_flag("--solids",
                   R"(Each segment of a mesh that -o writes is a closed
  solid, to be printed: caps close its borders.)");
+  output.add_flag("--painted",
+                  R"(A .3mf that -o writes is the mesh in one piece, its
+ triangles painted for the extruders 1 to 15 of a
+ slicer, which can change the colors.)");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         R"(Repeatable. The borders between segments as
 polylines: .obj or .vtp.)");
@@ -198,6 +213,11 @@ between the features.)")
 method. A line of the file is a sequence of points of
 the mesh, consecutive ones joined by edges; points are
 given by index, starting from 0. {stem} as in -o.)");
+  segmentation
+    .add("--constraints-from", raw.constraints_from, "SETS",
+         R"(The borders of groups, materials or solids of the
+INPUT are borders between segments, too.)")
+    ->check(one_of(set_kinds));
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
                    R"(Faces that belong together, and faces that do not. A
 line of the file is the index of a face and its seed,
@@ -368,12 +388,26 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   if (colorings.at(raw.coloring) == Coloring::KINDS &&
       methods.at(raw.method) != Method::SMOOTH_FACES)
     throw Usage_error("--color kind: --method smooth-faces alone finds kinds of surfaces");
-  for (const char* option :
-       {"--segments", "--method", "--no-links", "--smooth-borders", "--constraints", "--seeds"})
-    if (app.count("--labels") > 0 && app.count(option) > 0)
-      throw Usage_error(std::string(option) + ": with --labels nothing is segmented");
+  if (app.count("--labels") > 0 && app.count("--labels-from") > 0)
+    throw Usage_error("--labels-from: there are --labels, too");
+  for (const char* labels : {"--labels", "--labels-from"})
+    for (const char* option : {"--segments", "--method", "--no-links", "--smooth-borders",
+                               "--constraints", "--constraints-from", "--seeds"})
+      if (app.count(labels) > 0 && app.count(option) > 0)
+        throw Usage_error(std::string(option) + ": with " + labels + " nothing is segmented");
   if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
     throw Usage_error("--smooth-borders: borders would move across faces with seeds");
+}
+
+/// What of a segmentation -o writes. \throws Usage_error
+Output_content content_of_outputs(const CLI::App& app)
+{
+  const bool is_solid = app.count("--solids") > 0, is_painted = app.count("--painted") > 0;
+  if (is_solid && is_painted)
+    throw Usage_error("--painted: with --solids the mesh is not in one piece");
+  return is_solid     ? Output_content::SOLIDS
+         : is_painted ? Output_content::PAINTED
+                      : Output_content::SEGMENTS;
 }
 
 std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
@@ -384,14 +418,17 @@ std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
     format = Output_format(std::find(names.begin(), names.end(), raw.output_format) -
                            names.begin());
   }
+  const Output_content content = content_of_outputs(app);
   std::vector<Output> outputs;
   for (const std::string& file : raw.outputs)
-    outputs.push_back(make_output(
-      file, app.count("--solids") > 0 ? Output_content::SOLIDS : Output_content::SEGMENTS, format));
-  if (app.count("--solids") > 0 &&
-      std::none_of(outputs.begin(), outputs.end(),
-                   [](const Output& output) { return output.content == Output_content::SOLIDS; }))
-    throw Usage_error("--solids: no -o is a mesh");
+    outputs.push_back(make_output(file, content, format));
+  if (std::none_of(outputs.begin(), outputs.end(),
+                   [=](const Output& output) { return output.content == content; })) {
+    if (content == Output_content::SOLIDS)
+      throw Usage_error("--solids: no -o is a mesh");
+    if (content == Output_content::PAINTED)
+      throw Usage_error("--painted: no -o is a .3mf");
+  }
   for (const std::string& file : raw.borders)
     outputs.push_back(make_output(file, Output_content::BORDERS));
   return outputs;
@@ -417,6 +454,10 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   options.settings.tolerance = raw.tolerance;
   if (!raw.input_format.empty())
     options.input_format = formats.at(raw.input_format);
+  if (!raw.labels_from.empty())
+    options.side_files.labels_from = set_kinds.at(raw.labels_from);
+  if (!raw.constraints_from.empty())
+    options.side_files.constraints_from = set_kinds.at(raw.constraints_from);
   options.settings.method = methods.at(raw.method);
   options.settings.features = features.at(raw.features);
   options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING

@@ -22,10 +22,12 @@ fs::path without_gz(const fs::path& file)
   return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
 }
 
-/// Of points with the same coordinates keeps the first; those that are kept stay in order.
-void merge_equal_points(Polygon_soup& soup)
+/// Of points with the same coordinates keeps the first, with its color; those that are kept stay in
+/// order.
+void merge_equal_points(Input_mesh& input)
 {
-  std::vector<Point>& points = soup.points;
+  std::vector<Point>& points = input.soup.points;
+  std::vector<Mesh_properties::Rgb>& colors = input.properties.colors;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
@@ -42,12 +44,15 @@ void merge_equal_points(Polygon_soup& soup)
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (first[i] == i) {
       new_index[i] = size;
+      if (!colors.empty())
+        colors[size] = colors[i];
       points[size++] = points[i];
     } else
       new_index[i] = new_index[first[i]];
   }
   points.resize(size);
-  soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
+  colors.resize(colors.empty() ? 0 : size);
+  input.soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
 } // namespace
@@ -106,20 +111,19 @@ std::string stem_of_input(const std::string& file)
   return file == standard_input ? "stdin" : without_gz(file).stem().string();
 }
 
-Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes,
-                       Remarks& remarks)
+Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_view bytes)
 {
   const auto read = format == Mesh_format::OFF   ? read_off
                     : format == Mesh_format::OBJ ? read_obj
                     : format == Mesh_format::PLY ? read_ply
                     : format == Mesh_format::STL ? read_stl
                                                  : read_gltf;
-  Polygon_soup soup = read(file, bytes, remarks);
-  if (soup.polygons.empty())
+  Input_mesh input = read(file, bytes);
+  if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
   if (format == Mesh_format::STL || format == Mesh_format::GLTF)
-    merge_equal_points(soup);
-  return soup;
+    merge_equal_points(input);
+  return input;
 }
 
 } // namespace segment_mesh

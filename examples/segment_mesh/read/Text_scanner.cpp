@@ -152,6 +152,14 @@ std::int64_t Text_scanner::integer(std::string_view word, const char* what) cons
   return value;
 }
 
+double number_or_zero(std::string_view word)
+{
+  word.remove_prefix(!word.empty() && word[0] == '+' ? 1 : 0);
+  double value = 0;
+  from_chars(word.data(), word.data() + word.size(), value);
+  return std::isfinite(value) ? value : 0;
+}
+
 bool is_word(std::string_view word, std::string_view expected)
 {
   return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),

@@ -2,6 +2,7 @@
 
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
+#include "read/Face_set_builder.h"
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/little_endian.h"
@@ -108,12 +109,13 @@ public:
     check_encoding(file, m_text);
   }
 
-  Polygon_soup read(Remarks& remarks)
+  Input_mesh read()
   {
     try {
       parse();
       read_header();
       read_nodes();
+      finish_properties();
     } catch (const Json::out_of_range& error) {
       const std::string cause = error.what(); // "[json.exception.out_of_range.403] key 'x' not
                                               // found"
@@ -122,9 +124,9 @@ public:
       fail("a value of another type than glTF has there");
     }
     if (m_number_of_skipped > 0)
-      remarks.push_back(m_file + ": " + counted(m_number_of_skipped, "primitive") +
-                        " of points or lines left out");
-    return std::move(m_soup);
+      m_input.remarks.push_back(m_file + ": " + counted(m_number_of_skipped, "primitive") +
+                                " of points or lines left out");
+    return std::move(m_input);
   }
 
 private:
@@ -276,9 +278,18 @@ private:
       const Json children = list(node, "children");
       for (auto child = children.rbegin(); child != children.rend(); ++child)
         open.push_back({index(*child, "a child"), to_world});
-      if (node.contains("mesh"))
+      if (node.contains("mesh")) {
+        m_nodes.start_new(name_of(node, placed.node), m_soup.polygons.size());
         add_mesh(member(node, "mesh"), to_world);
+      }
     }
+  }
+
+  /// A node without a name has that of its mesh.
+  std::string name_of(const Json& node, std::size_t index)
+  {
+    const Json& mesh = element("meshes", member(node, "mesh"));
+    return node.value("name", mesh.value("name", "node_" + std::to_string(index)));
   }
 
   /// Of the scene that is shown, the last one first; of a file without scenes the nodes without
@@ -356,7 +367,99 @@ private:
     std::vector<std::size_t> corners;
     for (const double index : indices)
       corners.push_back(first + std::size_t(index));
+    const std::size_t first_corner = m_soup.polygons.corners().size();
     add_triangles(corners, mode, to_world.linear().determinant() < 0);
+    add_properties(primitive, first, number_of_points, first_corner);
+  }
+
+  /// Of the points from `first` on and the corners from `first_corner` on: what they have beside
+  /// positions.
+  void add_properties(const Json& primitive, std::size_t first, std::size_t number_of_points,
+                      std::size_t first_corner)
+  {
+    Mesh_properties& properties = m_input.properties;
+    const std::size_t number_of_materials = m_json.contains("materials")
+                                              ? m_json["materials"].size()
+                                              : 0;
+    properties.of(Set_kind::MATERIALS)
+      .set_of_face.resize(m_soup.polygons.size(),
+                          Polygons::Index(member(primitive, "material", number_of_materials)));
+    const Json& attributes = primitive["attributes"];
+    if (attributes.contains("COLOR_0")) {
+      const Json& accessor = attributes["COLOR_0"];
+      const bool has_alpha = m_json.at("accessors").at(index(accessor, "an accessor")).at("type") ==
+                             "VEC4";
+      const std::size_t size = has_alpha ? 4 : 3;
+      const auto colors = values(accessor, has_alpha ? "VEC4" : "VEC3", size);
+      properties.colors.resize(first, {1, 1, 1});
+      for (std::size_t i = 0; i < colors.size() / size && i < number_of_points; ++i) {
+        auto& color = properties.colors.emplace_back();
+        for (std::size_t j = 0; j < 3; ++j)
+          color[j] = float(srgb_from_linear(colors[size * i + j]));
+      }
+    }
+    if (attributes.contains("TEXCOORD_0")) {
+      const auto texture = values(attributes["TEXCOORD_0"], "VEC2", 2);
+      const std::size_t start = properties.texture_points.size();
+      for (std::size_t i = 0; i + 1 < texture.size(); i += 2)
+        properties.texture_points.push_back({texture[i], 1 - texture[i + 1]}); // v is down in glTF
+      properties.texture_corners.resize(first_corner, Mesh_properties::no_texture);
+      const auto& corners = m_soup.polygons.corners();
+      for (std::size_t c = first_corner; c < corners.size(); ++c)
+        if (corners[c] - first < properties.texture_points.size() - start)
+          properties.texture_corners.push_back(Polygons::Index(start + corners[c] - first));
+    }
+  }
+
+  void finish_properties()
+  {
+    Mesh_properties& properties = m_input.properties;
+    if (!properties.colors.empty())
+      properties.colors.resize(m_soup.points.size(), {1, 1, 1});
+    if (!properties.texture_corners.empty())
+      properties.texture_corners.resize(m_soup.polygons.corners().size(),
+                                        Mesh_properties::no_texture);
+    properties.of(Set_kind::GROUPS) = m_nodes.build(m_soup.polygons.size());
+    Face_sets& materials = properties.of(Set_kind::MATERIALS);
+    const Json all = list(m_json, "materials");
+    for (std::size_t i = 0; i < all.size(); ++i)
+      materials.names.push_back(all[i].value("name", "material_" + std::to_string(i)));
+    materials.names.push_back("unnamed");
+    if (!are_below({materials.set_of_face.begin(), materials.set_of_face.end()},
+                   materials.names.size()))
+      fail("a material that does not exist");
+    if (all.empty())
+      materials = {};
+    else
+      properties.library = std::make_shared<Material_library>(library());
+  }
+
+  /// The materials, with the bytes of images that are in buffers.
+  Material_library library() const
+  {
+    Material_library result;
+    result.folder = fs::path(m_file).parent_path().string();
+    std::size_t size = 0, size_of_buffers = 0;
+    for (const std::string& buffer : m_buffers)
+      size_of_buffers += buffer.size();
+    Json json;
+    for (const char* name : {"materials", "textures", "samplers", "images", "extensionsUsed"})
+      if (m_json.contains(name))
+        json[name] = m_json[name];
+    for (std::size_t i = 0; json.contains("images") && i < json["images"].size(); ++i) {
+      Json& image = json["images"][i];
+      if (!image.contains("bufferView"))
+        continue;
+      const Json& view = m_json.at("bufferViews").at(member(image, "bufferView"));
+      const std::string_view bytes = m_buffers.at(member(view, "buffer"));
+      const std::size_t start = (std::min)(member(view, "byteOffset", 0), bytes.size());
+      image["bufferView"] = result.images.size();
+      result.images.emplace_back(bytes.substr(start, member(view, "byteLength")));
+      if ((size += result.images.back().size()) > size_of_buffers)
+        fail("images that overlap");
+    }
+    result.gltf = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return result;
   }
 
   /// \param is_mirrored corners then run the other way round
@@ -456,15 +559,17 @@ private:
   std::string m_place; // in messages: what is read, with a colon
   std::string m_hint;  // on data that are not there
   std::vector<std::string> m_buffers;
-  Polygon_soup m_soup;
+  Input_mesh m_input;
+  Polygon_soup& m_soup = m_input.soup;
+  Face_set_builder m_nodes;
   std::size_t m_number_of_skipped = 0;
 };
 
 } // namespace
 
-Polygon_soup read_gltf(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_gltf(const std::string& file, std::string_view bytes)
 {
-  return Gltf_reader(file, bytes).read(remarks);
+  return Gltf_reader(file, bytes).read();
 }
 
 } // namespace segment_mesh

@@ -3,12 +3,15 @@
 #include "read/read_marks.h"
 
 #include "read/Text_scanner.h"
+#include "read/errors.h"
 #include "read/load_bytes.h"
 #include "soup/Edge_list.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
+#include <tuple>
 
 namespace segment_mesh {
 
@@ -46,8 +49,39 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
       from = to;
     }
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// The edges of faces of different sets, with the points of each of these faces.
+std::vector<Vertex_pair> borders_of_sets(const Polygon_soup& soup, const Face_sets& sets)
+{
+  struct Side
+  {
+    Vertex_pair place, edge;
+    std::size_t set;
+  };
+  const Edge_list edges(soup);
+  std::vector<Side> sides;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    const Polygon_soup::Polygon& polygon = soup.polygons[f];
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto [low,
+                  high] = std::minmax<std::size_t>({polygon[i], polygon[(i + 1) % polygon.size()]});
+      sides.push_back({edges.edge(low, high), {low, high}, sets.set_of_face[f]});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.place, a.set) < std::tie(b.place, b.set);
+  });
+  std::vector<Vertex_pair> result;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto end = std::find_if(first, sides.end(),
+                                  [=](const Side& s) { return s.place != first->place; });
+    if (first->set != std::prev(end)->set)
+      for (auto side = first; side != end; ++side)
+        result.push_back(side->edge);
+    first = end;
+  }
   return result;
 }
 
@@ -76,11 +110,29 @@ std::vector<std::size_t> read_seeds(const std::string& file, const Input_mesh& i
 
 } // namespace
 
-Marks read_marks(const Side_files& files, const Input_mesh& input)
+const Face_sets& sets_of_input(const std::string& file, const Input_mesh& input, Set_kind kind)
+{
+  if (!input.properties.of(kind).empty())
+    return input.properties.of(kind);
+  std::string others;
+  for (std::size_t i = 0; i < input.properties.sets.size(); ++i)
+    if (!input.properties.sets[i].empty())
+      others += (others.empty() ? "; it has " : " and ") + std::string(set_kind_names[i]);
+  throw Input_error(file, std::string("has no ") + set_kind_names[std::size_t(kind)] + others);
+}
+
+Marks read_marks(const Side_files& files, const std::string& file, const Input_mesh& input)
 {
   Marks marks;
   if (!files.constraints.empty())
     marks.constrained_edges = read_constraints(files.constraints, input);
+  if (files.constraints_from)
+    for (const Vertex_pair& edge :
+         borders_of_sets(input.soup, sets_of_input(file, input, *files.constraints_from)))
+      marks.constrained_edges.push_back(edge);
+  std::vector<Vertex_pair>& edges = marks.constrained_edges;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   if (!files.seeds.empty())
     marks.seed_of_face = read_seeds(files.seeds, input);
   return marks;

@@ -6,6 +6,7 @@
 #include "read/Mesh_format.h"
 #include "read/errors.h"
 #include "read/load_bytes.h"
+#include "soup/Mesh_properties.h"
 #include "soup/Polygon_soup.h"
 
 #include <optional>
@@ -18,14 +19,20 @@ namespace segment_mesh {
 struct Input_mesh
 {
   Polygon_soup soup;
+  Mesh_properties properties;
   Remarks remarks;
 };
 
-/// What is read beside a mesh: names of files, empty where there is none.
+/// What is read beside a mesh: names of files, empty where there is none, and kinds of sets of its
+/// own.
 struct Side_files
 {
   std::string labels; ///< if given, nothing is segmented
   std::string constraints, seeds;
+  std::optional<Set_kind> labels_from;      ///< in place of `labels`
+  std::optional<Set_kind> constraints_from; ///< whose borders are constraints
+
+  bool has_labels() const { return labels_from || !labels.empty(); }
 };
 
 /// Reads points and faces from the bytes of a file. \cgal's readers, which the tests compare these
@@ -36,27 +43,26 @@ struct Side_files
 /// \returns at least one face; indices are in range, coordinates finite, polygons have three
 /// corners or more
 /// \throws Input_error naming file, line (in a text file) and cause
-Polygon_soup read_soup(const std::string& file, Mesh_format format, std::string_view bytes,
-                       Remarks& remarks);
+Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_view bytes);
 
 /// \name One function a format
 /// @{
-/// An item on each line, with colors, normals and textures, which are skipped; or a stream of words
-/// as its header has it. Also with a `4OFF` header, and with the `OFF4 4 0` of some data sets.
-/// Lines beyond the numbers of the header are skipped, with a remark.
-Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks);
+/// An item on each line, with normals and textures, which are skipped; or a stream of words as its
+/// header has it, of which colors are skipped, too. Also with a `4OFF` header, and with the `OFF4 4
+/// 0` of some data sets. Lines beyond the numbers of the header are skipped, with a remark.
+Input_mesh read_off(const std::string& file, std::string_view bytes);
 /// Statements that are not of the format are skipped, with a remark.
-Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& remarks);
+Input_mesh read_obj(const std::string& file, std::string_view bytes);
 /// Text and binary of both orders of bytes, values of any type; elements and properties beside
 /// those of vertices, faces and triangle strips (`tristrips`) are skipped; what is beyond the
 /// numbers of the header, too, with a remark.
-Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks);
+Input_mesh read_ply(const std::string& file, std::string_view bytes);
 /// Text and binary; bytes beyond the number of a binary file are skipped, with a remark. Each
 /// triangle has points of its own.
-Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks);
+Input_mesh read_stl(const std::string& file, std::string_view bytes);
 /// Text and binary: the triangles of the scene that is shown, as it places them. Buffers are in the
 /// file, or in files of its folder.
-Polygon_soup read_gltf(const std::string& file, std::string_view bytes, Remarks& remarks);
+Input_mesh read_gltf(const std::string& file, std::string_view bytes);
 /// @}
 
 /// Reads a .off, .obj, .ply, .stl, .glb or .gltf file, also one that gzip has compressed, or
@@ -69,10 +75,7 @@ inline Input_mesh read_mesh(const std::string& file,
 {
   if (!format)
     format = mesh_format(file);
-  Input_mesh input;
-  const std::string bytes = load_bytes(file);
-  input.soup = read_soup(file, *format, bytes, input.remarks);
-  return input;
+  return parse_mesh(file, *format, load_bytes(file));
 }
 
 } // namespace segment_mesh

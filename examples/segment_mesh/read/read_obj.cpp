@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "read/Face_set_builder.h"
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/read_mesh.h"
 
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
 #include <iterator>
+#include <memory>
+#include <utility>
 
 namespace segment_mesh {
 
 namespace {
 
 constexpr std::string_view other_statements[] = {
-  "vn",         "vt",        "vp",     "fo",     "l",      "p",     "o",        "g",        "s",
-  "mg",         "usemtl",    "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",
-  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype", "deg",   "step",     "bmat",     "curv",
-  "curv2",      "surf",      "parm",   "trim",   "hole",   "scrv",  "sp",       "end",      "con",
-  "bsp",        "bzp",       "cdc",    "cdp",    "res",    "call",  "csh"};
+  "vn",     "vp",     "fo",       "l",        "p",    "s",          "mg",        "usemap",
+  "maplib", "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",
+  "stech",  "cstype", "deg",      "step",     "bmat", "curv",       "curv2",     "surf",
+  "parm",   "trim",   "hole",     "scrv",     "sp",   "end",        "con",       "bsp",
+  "bzp",    "cdc",    "cdp",      "res",      "call", "csh"};
 
 /// What is known of an OBJ file while it is read.
 class Obj_reader
@@ -27,7 +32,7 @@ public:
     , m_scan(file, bytes, '#', Text_scanner::Continuation::BACKSLASH)
   {}
 
-  Polygon_soup read(Remarks& remarks)
+  Input_mesh read()
   {
     while (m_scan.next_line()) {
       const std::string_view statement = m_scan.word();
@@ -35,6 +40,14 @@ public:
         read_point();
       else if (is_word(statement, "f"))
         read_face();
+      else if (is_word(statement, "vt"))
+        read_texture_point();
+      else if (is_word(statement, "g") || is_word(statement, "o"))
+        m_groups.start(rest_of_line(), m_soup.polygons.size());
+      else if (is_word(statement, "usemtl"))
+        m_materials.start(rest_of_line(), m_soup.polygons.size());
+      else if (is_word(statement, "mtllib"))
+        m_library.files.push_back(rest_of_line());
       else if (std::none_of(std::begin(other_statements), std::end(other_statements),
                             [=](std::string_view other) { return is_word(statement, other); }))
         keep_unknown(statement);
@@ -44,12 +57,13 @@ public:
     if (m_highest_index > std::int64_t(m_soup.points.size()))
       throw Input_error(m_file, m_line_of_highest_index, out_of_range(m_highest_index));
     if (m_number_of_unknown > 0)
-      remarks.push_back(one_line(m_file + ":" + std::to_string(m_line_of_unknown) +
-                                 ": unknown statement " + m_unknown + " skipped" +
-                                 (m_number_of_unknown > 1
-                                    ? ", and " + std::to_string(m_number_of_unknown - 1) + " more"
-                                    : "")));
-    return std::move(m_soup);
+      m_input.remarks.push_back(one_line(
+        m_file + ":" + std::to_string(m_line_of_unknown) + ": unknown statement " + m_unknown +
+        " skipped" +
+        (m_number_of_unknown > 1 ? ", and " + std::to_string(m_number_of_unknown - 1) + " more"
+                                 : "")));
+    finish_properties();
+    return std::move(m_input);
   }
 
 private:
@@ -70,14 +84,45 @@ private:
         m_scan.fail("a vertex with " + std::to_string(i) + " of 3 coordinates");
       point[i] = m_scan.finite_number(coordinate);
     }
+    if (m_scan.has_word())
+      read_color();
+  }
+
+  /// Three more numbers on the line of a point; one or two are others.
+  void read_color()
+  {
+    const std::string_view words[] = {m_scan.word(), m_scan.word(), m_scan.word()};
+    if (words[2].empty())
+      return;
+    auto& colors = m_input.properties.colors;
+    colors.resize(m_soup.points.size(), {1, 1, 1});
+    for (std::size_t i = 0; i < 3; ++i)
+      colors.back()[i] = float(number_or_zero(words[i]));
+  }
+
+  void read_texture_point()
+  {
+    auto& point = m_input.properties.texture_points.emplace_back();
+    for (double& coordinate : point) // v is 0 where it is not given
+      coordinate = number_or_zero(m_scan.word());
+  }
+
+  std::string rest_of_line()
+  {
+    std::string text;
+    for (std::string_view word = m_scan.word(); !word.empty(); word = m_scan.word())
+      text += (text.empty() ? "" : " ") + std::string(word);
+    return text;
   }
 
   void read_face()
   {
     m_corners.clear();
-    for (std::string_view corner = m_scan.word(); !corner.empty(); corner = m_scan.word())
+    for (std::string_view corner = m_scan.word(); !corner.empty(); corner = m_scan.word()) {
       m_corners.push_back(
         from_zero(m_scan.integer(corner.substr(0, corner.find('/')), "an index of a vertex")));
+      m_input.properties.texture_corners.push_back(texture_of(corner));
+    }
     if (m_corners.size() < 3)
       m_scan.fail("a face with " + counted(m_corners.size(), "vertex") + ", fewer than 3");
     m_soup.polygons.push_back(m_corners);
@@ -97,6 +142,35 @@ private:
     return std::size_t(index < 0 ? number_of_vertices + index : index - 1);
   }
 
+  /// The texture point of a corner `v/vt/vn`, without a check whether it is there.
+  Polygons::Index texture_of(std::string_view corner) const
+  {
+    const std::size_t start = corner.find('/') + 1; // npos + 1 is 0
+    std::int64_t index = 0;
+    if (start > 0)
+      std::from_chars(corner.data() + start, corner.data() + corner.size(), index);
+    const auto size = std::int64_t(m_input.properties.texture_points.size());
+    return Polygons::Index(index < 0 ? size + index : index - 1); // of 0: `no_texture`
+  }
+
+  /// Texture points that are not there are none.
+  void finish_properties()
+  {
+    Mesh_properties& properties = m_input.properties;
+    for (Polygons::Index& i : properties.texture_corners)
+      if (i >= properties.texture_points.size())
+        i = Mesh_properties::no_texture;
+    if (properties.texture_points.empty())
+      properties.texture_corners = {};
+    if (!properties.colors.empty())
+      properties.colors.resize(m_soup.points.size(), {1, 1, 1});
+    properties.of(Set_kind::GROUPS) = m_groups.build(m_soup.polygons.size());
+    properties.of(Set_kind::MATERIALS) = m_materials.build(m_soup.polygons.size());
+    m_library.folder = std::filesystem::path(m_file).parent_path().string();
+    if (!m_library.files.empty())
+      properties.library = std::make_shared<Material_library>(std::move(m_library));
+  }
+
   std::string out_of_range(std::int64_t index) const
   {
     return "index " + std::to_string(index) + " is out of range: there are " +
@@ -105,7 +179,10 @@ private:
 
   std::string m_file;
   Text_scanner m_scan;
-  Polygon_soup m_soup;
+  Input_mesh m_input;
+  Polygon_soup& m_soup = m_input.soup;
+  Face_set_builder m_groups, m_materials;
+  Material_library m_library;
   std::vector<std::size_t> m_corners; // of the face that is read
   std::int64_t m_highest_index = 0;
   std::size_t m_line_of_highest_index = 0;
@@ -115,9 +192,9 @@ private:
 
 } // namespace
 
-Polygon_soup read_obj(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_obj(const std::string& file, std::string_view bytes)
 {
-  return Obj_reader(file, bytes).read(remarks);
+  return Obj_reader(file, bytes).read();
 }
 
 } // namespace segment_mesh

@@ -17,7 +17,7 @@ constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
 
 struct Off_header
 {
-  bool is_homogeneous;
+  bool is_homogeneous, has_normals, has_colors;
   int number_of_values; // of a vertex: coordinates, normal, color, texture
   std::int64_t number_of_vertices, number_of_faces;
 };
@@ -57,7 +57,11 @@ Off_header read_header(Text_scanner& scan)
     header.number_of_values += is_there ? number_of_values : 0;
     return is_there;
   };
-  while (has("ST", 2) || has("C", 4) || has("N", 3)) { // in any order, as programs write them
+  for (bool is_prefix = true; is_prefix;) { // in any order, as programs write them
+    const bool is_color = has("C", 4), is_normal = has("N", 3);
+    header.has_colors |= is_color;
+    header.has_normals |= is_normal;
+    is_prefix = is_color || is_normal || has("ST", 2);
   }
   header.is_homogeneous = has("4", 1);
   if (!skip("OFF", rest) || rest.find_first_not_of("0123456789") != std::string_view::npos)
@@ -83,18 +87,22 @@ public:
     , m_layout(layout)
   {}
 
-  Polygon_soup read(Remarks& remarks)
+  Input_mesh read()
   {
     const std::size_t number_of_vertices(m_header.number_of_vertices),
       number_of_faces(m_header.number_of_faces);
-    Polygon_soup soup;
+    Input_mesh input;
+    Polygon_soup& soup = input.soup;
     soup.points.reserve((std::min)(number_of_vertices, m_scan.available() / least_vertex_size + 1));
     soup.polygons.reserve((std::min)(number_of_faces, m_scan.available() / least_face_size + 1));
     while (soup.points.size() < number_of_vertices) {
       next_item(soup.points.size(), number_of_vertices, "vertex");
       soup.points.push_back(read_point());
-      if (m_layout == Off_layout::ITEMS_ON_LINES)
+      if (m_layout == Off_layout::ITEMS_ON_LINES) {
+        if (m_header.has_colors)
+          input.properties.colors.push_back(read_color());
         m_scan.skip_line();
+      }
     }
     while (soup.polygons.size() < number_of_faces) {
       next_item(soup.polygons.size(), number_of_faces, "face");
@@ -105,10 +113,10 @@ public:
     if (go_to_word()) {
       if (m_layout != Off_layout::ITEMS_ON_LINES)
         m_scan.fail("more words than the header promises");
-      remarks.push_back(m_scan.not_read() + ": the header promises " +
-                        counted(number_of_faces, "face"));
+      input.remarks.push_back(m_scan.not_read() + ": the header promises " +
+                              counted(number_of_faces, "face"));
     }
-    return soup;
+    return input;
   }
 
 private:
@@ -151,6 +159,22 @@ private:
     return point;
   }
 
+  /// After coordinates and normal: from 0 to 1, or integers from 0 to 255; white if there is none.
+  Mesh_properties::Rgb read_color()
+  {
+    for (int j = 0; m_header.has_normals && j < 3; ++j)
+      m_scan.word();
+    Mesh_properties::Rgb color = {1, 1, 1};
+    for (float& channel : color) {
+      const std::string_view word = m_scan.word();
+      if (word.empty())
+        break;
+      const bool is_integer = word.find('.') == std::string_view::npos;
+      channel = float(number_or_zero(word) / (is_integer ? 255 : 1));
+    }
+    return color;
+  }
+
   void read_face(Polygons& polygons)
   {
     const std::int64_t size = m_scan.integer(m_scan.word(), "a number of vertices of a face");
@@ -174,16 +198,16 @@ private:
 
 } // namespace
 
-Polygon_soup read_off(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_off(const std::string& file, std::string_view bytes)
 {
   Text_scanner scan(file, bytes, '#');
   const Off_header header = read_header(scan);
   try {
-    return Off_reader(scan, header, Off_layout::ITEMS_ON_LINES).read(remarks);
+    return Off_reader(scan, header, Off_layout::ITEMS_ON_LINES).read();
   } catch (const Input_error&) {
     for (const Off_layout other : {Off_layout::FACES_END_LINES, Off_layout::WORDS})
       try {
-        return Off_reader(scan, header, other).read(remarks);
+        return Off_reader(scan, header, other).read();
       } catch (const Input_error&) { // the message on the usual layout is the clearest one
       }
     throw;

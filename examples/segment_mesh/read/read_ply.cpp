@@ -18,7 +18,7 @@ namespace segment_mesh {
 namespace {
 
 /// What the reader makes of a property.
-enum class Ply_role { X, Y, Z, CORNERS, STRIPS, NONE };
+enum class Ply_role { X, Y, Z, RED, GREEN, BLUE, U, V, CORNERS, STRIPS, TEXTURE, NONE };
 
 struct Ply_property
 {
@@ -39,6 +39,11 @@ struct Ply_element
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
   bool is_strips() const { return name == "tristrips"; }
+  bool has(Ply_role role) const
+  {
+    return std::any_of(properties.begin(), properties.end(),
+                       [role](const Ply_property& p) { return p.role == role; });
+  }
 };
 
 struct Ply_header
@@ -85,8 +90,18 @@ Ply_element read_element(Text_scanner& scan)
 
 Ply_role role_of(const Ply_element& element, const std::string& property)
 {
-  if (element.is_vertex() && property.size() == 1 && property >= "x" && property <= "z")
-    return Ply_role(property[0] - 'x');
+  if (element.is_vertex()) {
+    const std::pair<const char*, Ply_role> roles[] = {
+      {"x", Ply_role::X},     {"y", Ply_role::Y},         {"z", Ply_role::Z},
+      {"red", Ply_role::RED}, {"green", Ply_role::GREEN}, {"blue", Ply_role::BLUE},
+      {"u", Ply_role::U},     {"v", Ply_role::V},         {"s", Ply_role::U},
+      {"t", Ply_role::V},     {"texture_u", Ply_role::U}, {"texture_v", Ply_role::V}};
+    for (const auto& [name, role] : roles)
+      if (property == name)
+        return role;
+  }
+  if (element.is_face() && property == "texcoord")
+    return Ply_role::TEXTURE;
   const bool is_list_of_vertices = property == "vertex_indices" || property == "vertex_index";
   if (element.is_face() && is_list_of_vertices)
     return Ply_role::CORNERS;
@@ -112,10 +127,14 @@ Ply_property read_property(Text_scanner& scan, const Ply_element& element)
     scan.fail("a property without a name");
 
   property.role = role_of(element, property.name);
+  const bool is_coordinate = property.role <= Ply_role::Z;
+  if ((property.role < Ply_role::CORNERS && !is_coordinate && property.is_list) ||
+      (property.role == Ply_role::TEXTURE && !property.is_list))
+    property.role = Ply_role::NONE;
   if (property.role == Ply_role::CORNERS || property.role == Ply_role::STRIPS) {
     if (!property.is_list || is_floating_point(property.type))
       scan.fail("property " + property.name + " is not a list of integers");
-  } else if (property.role != Ply_role::NONE && property.is_list)
+  } else if (is_coordinate && property.is_list)
     scan.fail("property " + property.name + " is a list, not a number");
   return property;
 }
@@ -199,26 +218,27 @@ public:
     , m_data(data_after_header(bytes, m_scan.offset_of_next_line()))
   {}
 
-  Polygon_soup read(Remarks& remarks)
+  Input_mesh read()
   {
     for (const Ply_element& element : m_header.elements) {
       m_element = &element;
       reserve(element);
-      const bool is_vertex = element.is_vertex();
       for (m_item = 0; m_item < element.count; ++m_item) {
-        Point point{};
         for (const Ply_property& property : element.properties)
-          read_property(property, point);
-        if (is_vertex)
-          m_soup.points.push_back(point);
+          read_property(property);
+        if (element.is_vertex())
+          end_vertex();
+        else if (element.is_face() && element.has(Ply_role::TEXTURE))
+          end_face();
       }
     }
     const bool has_more = m_is_text ? m_scan.has_word() || m_scan.next_line() : !m_data.empty();
     if (has_more && !m_soup.polygons.empty())
-      remarks.push_back(
+      m_input.remarks.push_back(
         (m_is_text ? m_scan.not_read() : bytes_not_read(m_file, m_data.size()) + " at the end") +
         ": the header promises " + items_of(m_header.elements.back()));
-    return std::move(m_soup);
+    finish_properties();
+    return std::move(m_input);
   }
 
 private:
@@ -293,6 +313,13 @@ private:
     return value;
   }
 
+  /// Of a color or texture: 0 where it is not a finite number.
+  double number(const Ply_property& property)
+  {
+    const double value = m_is_text ? number_or_zero(word()) : take<double>(property.type);
+    return std::isfinite(value) ? value : 0;
+  }
+
   double coordinate(const Ply_property& property)
   {
     if (!is_floating_point(property.type))
@@ -316,7 +343,7 @@ private:
     m_data.remove_prefix(std::size_t(number) * size_of(type));
   }
 
-  void read_property(const Ply_property& property, Point& point)
+  void read_property(const Ply_property& property)
   {
     const std::int64_t size = property.is_list ? integer(property.size_type) : 1;
     if (property.role == Ply_role::CORNERS)
@@ -325,10 +352,63 @@ private:
       fail("a list of " + std::to_string(size) + " values");
     else if (property.role == Ply_role::STRIPS)
       read_strips(property.type, size);
+    else if (property.role == Ply_role::TEXTURE)
+      for (std::int64_t i = 0; i < size; ++i)
+        m_texture.push_back(number(property));
     else if (property.role == Ply_role::NONE)
       skip(property.type, std::uint64_t(size));
     else
-      point[std::size_t(property.role)] = coordinate(property);
+      m_values[std::size_t(property.role)] = property.role <= Ply_role::Z
+                                               ? coordinate(property)
+                                               : number(property) / largest_color(property);
+  }
+
+  /// What is 1 of a color; 1 of other values.
+  static double largest_color(const Ply_property& property)
+  {
+    const bool is_color = property.role >= Ply_role::RED && property.role <= Ply_role::BLUE;
+    return !is_color || is_floating_point(property.type) ? 1
+           : size_of(property.type) == 1                 ? 255
+                                                         : 65535;
+  }
+
+  void end_vertex()
+  {
+    const auto& [x, y, z, red, green, blue, u, v] = m_values;
+    m_soup.points.push_back({x, y, z});
+    if (m_element->has(Ply_role::RED))
+      m_input.properties.colors.push_back({float(red), float(green), float(blue)});
+    if (m_element->has(Ply_role::U))
+      m_input.properties.texture_points.push_back({u, v});
+  }
+
+  /// Of a face with texture coordinates: two numbers for each corner.
+  void end_face()
+  {
+    Mesh_properties& properties = m_input.properties;
+    const std::size_t corner = properties.texture_corners.size(),
+                      end = m_soup.polygons.corners().size();
+    properties.texture_corners.resize(end, Mesh_properties::no_texture);
+    for (std::size_t i = 0; corner + i < end && 2 * i + 1 < m_texture.size(); ++i) {
+      properties.texture_corners[corner + i] = Polygons::Index(properties.texture_points.size());
+      properties.texture_points.push_back({m_texture[2 * i], m_texture[2 * i + 1]});
+    }
+    m_texture.clear();
+  }
+
+  /// Texture coordinates of vertices are those of their corners, unless faces have some.
+  void finish_properties()
+  {
+    Mesh_properties& properties = m_input.properties;
+    const std::vector<Polygons::Index>& corners = m_soup.polygons.corners();
+    if (properties.colors.size() != m_soup.points.size())
+      properties.colors.clear();
+    if (!properties.texture_corners.empty())
+      properties.texture_corners.resize(corners.size(), Mesh_properties::no_texture);
+    else if (properties.texture_points.size() == m_soup.points.size())
+      properties.texture_corners = corners;
+    else
+      properties.texture_points.clear();
   }
 
   void read_face(Number_type type, std::int64_t size)
@@ -375,14 +455,17 @@ private:
   std::string_view m_data; // of a binary file
   const Ply_element* m_element = nullptr;
   std::uint64_t m_item = 0; // of that element, which is read
-  Polygon_soup m_soup;
+  Input_mesh m_input;
+  Polygon_soup& m_soup = m_input.soup;
+  std::array<double, 8> m_values{}; // of a vertex, by `Ply_role`
+  std::vector<double> m_texture;    // of a face
 };
 
 } // namespace
 
-Polygon_soup read_ply(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_ply(const std::string& file, std::string_view bytes)
 {
-  return Ply_reader(file, bytes).read(remarks);
+  return Ply_reader(file, bytes).read();
 }
 
 } // namespace segment_mesh

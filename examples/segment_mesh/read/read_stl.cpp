@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "read/Face_set_builder.h"
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/little_endian.h"
@@ -47,7 +48,7 @@ Polygon_soup triangles_on(std::vector<Point> points)
   return soup;
 }
 
-Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_binary(const std::string& file, std::string_view bytes)
 {
   if (!has_size_of_binary(bytes))
     check_encoding(file, bytes);
@@ -60,9 +61,10 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remark
     throw Input_error(file, "the header promises " + counted(promised, "triangle") +
                               ", the file ends after " + std::to_string(available) +
                               ": no whole binary STL, and no text that starts with 'solid'");
+  Input_mesh input;
   if (const std::size_t rest = bytes.size() - data_offset - triangle_size * promised; rest > 0)
-    remarks.push_back(bytes_not_read(file, rest) + " at the end: the header promises " +
-                      counted(promised, "triangle"));
+    input.remarks.push_back(bytes_not_read(file, rest) + " at the end: the header promises " +
+                            counted(promised, "triangle"));
   std::vector<Point> points;
   points.reserve(3 * promised);
   for (std::size_t i = 0; i < promised; ++i)
@@ -76,7 +78,8 @@ Polygon_soup read_binary(const std::string& file, std::string_view bytes, Remark
         throw Input_error(file, "triangle " + std::to_string(i) +
                                   ", from 0, has a coordinate that is not a finite number");
     }
-  return triangles_on(std::move(points));
+  input.soup = triangles_on(std::move(points));
+  return input;
 }
 
 /// The rest of a facet, after its first word. Words that are not due, as of colors, are skipped.
@@ -104,23 +107,35 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     scan.fail("a face with " + counted(size, "vertex") + ", fewer than 3");
 }
 
-/// Skips the name of a solid, up to the end of its line, or past `facet normal` where the file has
-/// all on one line. \returns whether a facet follows
-bool skip_name(Text_scanner& scan)
+struct Solid_line
 {
+  std::string name;
+  bool is_facet_next;
+};
+
+/// Reads the name of a solid, up to the end of its line, or past `facet normal` where the file has
+/// all on one line.
+Solid_line read_name(Text_scanner& scan)
+{
+  std::string name;
   std::string_view previous, word = scan.word();
   while (!word.empty() && !(is_word(previous, "facet") && is_word(word, "normal"))) {
+    name += (name.empty() ? "" : " ") + std::string(word);
     previous = word;
     word = scan.word();
   }
-  return !word.empty();
+  if (word.empty())
+    return {name, false};
+  name.resize(name.size() - previous.size());
+  return {name.substr(0, name.find_last_not_of(' ') + 1), true};
 }
 
 /// Names of solids may hold any word, and solids may be several.
-Polygon_soup read_text(const std::string& file, std::string_view bytes)
+Input_mesh read_text(const std::string& file, std::string_view bytes)
 {
   Text_scanner scan(file, bytes, Text_scanner::no_comments);
   std::vector<Point> points;
+  Face_set_builder solids;
   bool is_in_solid = false;
   for (std::string_view word = scan.word_of_any_line(); !word.empty();
        word = scan.word_of_any_line()) {
@@ -129,9 +144,11 @@ Polygon_soup read_text(const std::string& file, std::string_view bytes)
     bool is_facet = is_in_solid && is_word(word, "facet");
     if (is_word(word, "solid") && !is_in_solid) {
       is_in_solid = true;
-      is_facet = skip_name(scan);
+      const Solid_line line = read_name(scan);
+      is_facet = line.is_facet_next;
+      solids.start_new(line.name, points.size() / 3);
     } else if (is_end && is_in_solid) {
-      is_in_solid = is_facet = skip_name(scan);
+      is_in_solid = is_facet = read_name(scan).is_facet_next;
     } else if (is_word(word, "color") && is_in_solid) {
       for (int i = 0; i < 3; ++i)
         scan.word();
@@ -143,14 +160,17 @@ Polygon_soup read_text(const std::string& file, std::string_view bytes)
   }
   if (is_in_solid)
     scan.fail("the file ends before 'endsolid'");
-  return triangles_on(std::move(points));
+  Input_mesh input;
+  input.soup = triangles_on(std::move(points));
+  input.properties.of(Set_kind::SOLIDS) = solids.build(input.soup.polygons.size());
+  return input;
 }
 
 } // namespace
 
-Polygon_soup read_stl(const std::string& file, std::string_view bytes, Remarks& remarks)
+Input_mesh read_stl(const std::string& file, std::string_view bytes)
 {
-  return is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes, remarks);
+  return is_text(bytes) ? read_text(file, bytes) : read_binary(file, bytes);
 }
 
 } // namespace segment_mesh

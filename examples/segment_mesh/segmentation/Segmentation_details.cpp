@@ -20,11 +20,18 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cctype>
+#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace segment_mesh {
@@ -106,6 +113,22 @@ private:
   std::vector<std::size_t> m_heights;
 };
 
+/// Of a segment that is a face of a machine part.
+std::string name_of_face(const Surface_face& face, std::size_t segment)
+{
+  using RS::Face_role;
+  const bool is_hole = face.role == Face_role::HOLE, is_boss = face.role == Face_role::BOSS;
+  const std::string name = is_hole                         ? "hole"
+                           : is_boss                       ? "boss"
+                           : face.role == Face_role::BLEND ? "fillet"
+                                                           : name_of(face.surface.kind);
+  std::ostringstream result;
+  result << name << '_' << segment << std::setprecision(4);
+  if ((is_hole || is_boss) && face.surface.kind == RS::Surface_kind::CYLINDER)
+    result << "_r" << face.surface.radius;
+  return result.str();
+}
+
 RS::Surface surface_of(const Polygon_soup& soup, const Segmentation_settings& settings)
 {
   return RS::make_surface_of_polygon_soup(
@@ -114,6 +137,34 @@ RS::Surface surface_of(const Polygon_soup& soup, const Segmentation_settings& se
 }
 
 } // namespace
+
+std::string clean_name(const std::string& name)
+{
+  std::string result = name;
+  for (char& c : result) {
+    const bool is_ascii = static_cast<unsigned char>(c) < 128;
+    if (is_ascii && !std::isalnum(static_cast<unsigned char>(c)) &&
+        std::string_view("_.+-").find(c) == std::string_view::npos)
+      c = '_';
+  }
+  if (!nlohmann::json::accept('"' + result + '"')) // not UTF-8
+    std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) >= 128; },
+      '_');
+  return result;
+}
+
+const char* name_of(RS::Surface_kind kind)
+{
+  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
+  return names[std::size_t(kind)];
+}
+
+const char* name_of(RS::Face_role role)
+{
+  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
+  return names[std::size_t(role)];
+}
 
 /// The graph of the regions, whose vertices are numbered by their first faces.
 struct Segmentation_details::Region_graph
@@ -335,6 +386,24 @@ std::vector<Segment_description> Segmentation_details::segments() const
     for (std::size_t s = 0; s < result.size(); ++s)
       result[s].smooth_neighbors = std::move(neighbors[s]);
   }
+  return result;
+}
+
+std::vector<std::string> Segmentation_details::names() const
+{
+  std::vector<std::string> result;
+  std::set<std::string> used;
+  for (const std::string& name : m_segmentation.names) {
+    const std::string clean = clean_name(name);
+    const bool is_new = used.insert(clean).second;
+    result.push_back(is_new ? clean : clean + "_" + std::to_string(result.size()));
+  }
+  while (result.size() < m_segmentation.number_of_segments)
+    result.push_back(name_of_segment(result.size()));
+  if (machine_part())
+    for (const auto& [segment, face] : machine_part()->faces(m_segmentation.segment_of_face))
+      if (segment != RS::no_segment)
+        result[segment] = name_of_face(face, segment);
   return result;
 }
 

@@ -13,8 +13,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace segment_mesh {
@@ -31,6 +33,20 @@ struct Surface_face
   std::size_t same_surface = 0; ///< the first segment on the same surface
   std::size_t same_axis = 0;    ///< the first segment with the same axis
 };
+
+/// The name of a segment of which nothing more is known; -1 for faces of none.
+inline std::string name_of_segment(std::size_t segment)
+{
+  return "segment_" + std::to_string(std::int64_t(segment));
+}
+
+/// A name as all formats can have it: with `_` in place of what is not a letter, a digit, or one of
+/// `_ . + -`; other characters than those of ASCII stay if the name is in UTF-8.
+std::string clean_name(const std::string& name);
+
+/// "plane" and so on.
+const char* name_of(CGAL::Region_segmentation::Surface_kind kind);
+const char* name_of(CGAL::Region_segmentation::Face_role role);
 
 /// The last two of the method smooth-faces alone.
 struct Segment_description : CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>
@@ -101,6 +117,10 @@ public:
   std::vector<Section> sections() const;
   /// By segment.
   std::vector<Segment_description> segments() const;
+  /// Of the segments, for outputs, all different: `segment_I` for the segment I, or, if it is a
+  /// face of a machine part, what the face is for, else the kind of its surface, and of a cylinder
+  /// that is a hole or boss the radius: `hole_3_r2.5`, `fillet_7`, `plane_0`.
+  std::vector<std::string> names() const;
   std::vector<Border> borders() const;
   /// See `close_segments()`.
   Solids solids() const;

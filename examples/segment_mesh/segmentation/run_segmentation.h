@@ -63,6 +63,7 @@ struct Segmentation
   std::optional<std::size_t> largest_number;
   std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face; ///< `no_segment` for faces of none
+  std::vector<std::string> names;           ///< of segments that a file names, else empty
   std::vector<std::size_t> region_of_face;  ///< a region lies in one segment
   /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges
   /// where the segments are the regions.

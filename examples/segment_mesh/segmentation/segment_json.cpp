@@ -26,18 +26,6 @@ ordered_json vector_json(const Triple& v)
   return {v.x(), v.y(), v.z()};
 }
 
-const char* name_of(RS::Surface_kind kind)
-{
-  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
-  return names[std::size_t(kind)];
-}
-
-const char* name_of(RS::Face_role role)
-{
-  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
-  return names[std::size_t(role)];
-}
-
 bool has_radius(const RS::Fitted_surface<Kernel>& s)
 {
   return s.kind == RS::Surface_kind::SPHERE || s.kind == RS::Surface_kind::CYLINDER ||

@@ -34,7 +34,7 @@ bool is_mesh(Output_format format)
   return format == Output_format::PLY || format == Output_format::OFF ||
          format == Output_format::OBJ || format == Output_format::VTP ||
          format == Output_format::STL || format == Output_format::GLB ||
-         format == Output_format::THREE_MF;
+         format == Output_format::THREE_MF || format == Output_format::MSH;
 }
 
 void check(const Output& output)
@@ -47,8 +47,9 @@ void check(const Output& output)
     if (output.content == Output_content::BORDERS)
       throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
     if (!is_mesh(output.format))
-      throw Usage_error(output.file +
-                        ": a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb or .3mf");
+      throw Usage_error(
+        output.file +
+        ": a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb, .3mf or .msh");
     if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) ==
         std::string::npos)
       throw Usage_error(output.file +
@@ -60,8 +61,8 @@ void check(const Output& output)
 
 const std::vector<std::string>& output_format_names()
 {
-  static const std::vector<std::string> names = {"seg", "ply", "off",  "obj", "vtp", "json",
-                                                 "csv", "png", "html", "glb", "3mf", "stl"};
+  static const std::vector<std::string> names = {"seg", "ply",  "off", "obj", "vtp", "json", "csv",
+                                                 "png", "html", "glb", "3mf", "stl", "msh"};
   return names;
 }
 
@@ -110,7 +111,8 @@ Output make_output(const std::string& file, Output_content content,
       is_written_directly(file))
     throw Usage_error("-o " + file + ": needs --output-format");
   output.format = format ? *format : format_of_ending(file, ending_of(name.string()));
-  if (content == Output_content::SOLIDS && !is_mesh(output.format))
+  if ((content == Output_content::SOLIDS && !is_mesh(output.format)) ||
+      (content == Output_content::PAINTED && output.format != Output_format::THREE_MF))
     output.content = Output_content::SEGMENTS;
   check(output);
   return output;

@@ -13,10 +13,11 @@
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF, STL };
+enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF, STL, MSH };
 
-/// What of a segmentation is written; solids are closed segments.
-enum class Output_content { SEGMENTS, SOLIDS, BORDERS };
+/// What of a segmentation is written; solids are closed segments; a mesh that is painted is in one
+/// piece.
+enum class Output_content { SEGMENTS, SOLIDS, PAINTED, BORDERS };
 
 enum class Compression { NONE, GZIP };
 
@@ -50,8 +51,9 @@ const std::vector<std::string>& output_format_names();
 
 /// An output in `format`, or in the one that the ending of `file` names in upper or lower case,
 /// before a last ".gz" for a compressed one. Solids that are asked for are segments where the
-/// format is not of meshes. \throws Usage_error if the ending names no format, or if what is to be
-/// written cannot be in this format
+/// format is not of meshes, and so is what is to be painted but in a format other than .3mf.
+/// \throws Usage_error if the ending names no format, or if what is to be written cannot be in this
+/// format
 Output make_output(const std::string& file, Output_content content = Output_content::SEGMENTS,
                    const std::optional<Output_format>& format = std::nullopt);
 

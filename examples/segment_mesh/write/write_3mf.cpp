@@ -7,6 +7,8 @@
 #include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+
 #include <zip.h>
 
 #include <memory>
@@ -20,6 +22,8 @@
 namespace segment_mesh {
 
 namespace {
+
+namespace RS = CGAL::Region_segmentation;
 
 /// A file of a ZIP archive: its name and its content.
 using Entry = std::pair<std::string, std::string>;
@@ -64,28 +68,44 @@ std::string hexadecimal(const Color& color)
   return result;
 }
 
+constexpr const char* xml_start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+constexpr const char*
+  model_start = "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+                "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"";
+
+/// `attribute(t)` is that of triangle t, after those of the format.
+template <typename Attribute>
+void write_triangles(Text_buffer& text, const std::vector<Point>& points,
+                     const Triangles& triangles, const Attribute& attribute)
+{
+  text << "<mesh>\n<vertices>\n";
+  for (const Point& p : points)
+    text << "<vertex x=\"" << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2] << "\"/>\n";
+  text << "</vertices>\n<triangles>\n";
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    text << "<triangle v1=\"" << t[0] << "\" v2=\"" << t[1] << "\" v3=\"" << t[2] << "\""
+         << attribute(i) << "/>\n";
+  }
+  text << "</triangles>\n</mesh>\n";
+}
+
 /// An object with its material for each segment, and an item that shows it.
 void write_model(std::ostream& out, const std::vector<Segment_triangles>& segments)
 {
   constexpr std::size_t first_id = 2; // 1 is that of the materials
   Text_buffer text(out);
-  text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-          "<model unit=\"millimeter\" xml:lang=\"en-US\" "
-          "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-          "<resources>\n<basematerials id=\"1\">\n";
+  text << xml_start << model_start << ">\n<resources>\n<basematerials id=\"1\">\n";
   for (const Segment_triangles& segment : segments)
     text << "<base name=\"" << segment.name << "\" displaycolor=\"" << hexadecimal(segment.color)
          << "\"/>\n";
   text << "</basematerials>\n";
   for (std::size_t i = 0; i < segments.size(); ++i) {
     text << "<object id=\"" << first_id + i << "\" name=\"" << segments[i].name
-         << "\" type=\"model\" pid=\"1\" pindex=\"" << i << "\">\n<mesh>\n<vertices>\n";
-    for (const Point& p : segments[i].points)
-      text << "<vertex x=\"" << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2] << "\"/>\n";
-    text << "</vertices>\n<triangles>\n";
-    for (const auto& t : segments[i].triangles)
-      text << "<triangle v1=\"" << t[0] << "\" v2=\"" << t[1] << "\" v3=\"" << t[2] << "\"/>\n";
-    text << "</triangles>\n</mesh>\n</object>\n";
+         << "\" type=\"model\" pid=\"1\" pindex=\"" << i << "\">\n";
+    write_triangles(text, segments[i].part.soup.points, segments[i].triangles,
+                    [](std::size_t) { return ""; });
+    text << "</object>\n";
   }
   text << "</resources>\n<build>\n";
   for (std::size_t i = 0; i < segments.size(); ++i)
@@ -93,15 +113,45 @@ void write_model(std::ostream& out, const std::vector<Segment_triangles>& segmen
   text << "</build>\n</model>\n";
 }
 
-} // namespace
-
-void write_3mf(std::ostream& out, const Labelled_mesh& mesh)
+/// The code of PrusaSlicer for a triangle that is not divided: the bits 00, then two bits with the
+/// number of the extruder, from 1, or, from 3 on, 11 and four bits with the number less 3. The
+/// hexadecimal digits of four bits each come from the last to the first.
+std::string paint_of_extruder(std::size_t extruder)
 {
-  const std::string start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
-                    package = "http://schemas.openxmlformats.org/package/2006/",
-                    model = "3D/3dmodel.model";
-  std::ostringstream text;
-  write_model(text, triangles_of_segments(mesh));
+  constexpr const char* digits = "0123456789ABCDEF";
+  if (extruder < 3)
+    return {digits[4 * extruder]};
+  return {digits[extruder - 3], 'C'};
+}
+
+void write_painted_model(std::ostream& out, const Labelled_mesh& mesh)
+{
+  constexpr std::size_t number_of_extruders = 15; // the most that the slicer knows
+  Triangles triangles;
+  std::vector<std::size_t> segments;
+  for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
+    add_triangles(mesh.soup, mesh.soup.polygons[f], triangles);
+    segments.resize(triangles.size(), mesh.segment_of_face[f]);
+  }
+  Text_buffer text(out);
+  text << xml_start << model_start
+       << " xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\">\n"
+          "<metadata name=\"slic3rpe:Version3mf\">1</metadata>\n"
+          "<metadata name=\"slic3rpe:MmPaintingVersion\">1</metadata>\n"
+          "<resources>\n<object id=\"1\" type=\"model\">\n";
+  write_triangles(text, mesh.soup.points, triangles, [&](std::size_t t) {
+    return segments[t] == RS::no_segment
+             ? ""
+             : " slic3rpe:mmu_segmentation=\"" +
+                 paint_of_extruder(1 + segments[t] % number_of_extruders) + "\"";
+  });
+  text << "</object>\n</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n</model>\n";
+}
+
+void write_package(std::ostream& out, const std::string& model)
+{
+  const std::string start = xml_start, package = "http://schemas.openxmlformats.org/package/2006/",
+                    name = "3D/3dmodel.model";
   out << zip_archive(
     {{"[Content_Types].xml",
       start + "<Types xmlns=\"" + package +
@@ -110,10 +160,26 @@ void write_3mf(std::ostream& out, const Labelled_mesh& mesh)
         "<Default Extension=\"model\" "
         "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>\n"},
      {"_rels/.rels", start + "<Relationships xmlns=\"" + package +
-                       "relationships\"><Relationship Id=\"model\" Target=\"/" + model +
+                       "relationships\"><Relationship Id=\"model\" Target=\"/" + name +
                        "\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
                        "</Relationships>\n"},
-     {model, text.str()}});
+     {name, model}});
+}
+
+} // namespace
+
+void write_3mf(std::ostream& out, const Labelled_mesh& mesh)
+{
+  std::ostringstream model;
+  write_model(model, triangles_of_segments(mesh));
+  write_package(out, model.str());
+}
+
+void write_painted_3mf(std::ostream& out, const Labelled_mesh& mesh)
+{
+  std::ostringstream model;
+  write_painted_model(model, mesh);
+  write_package(out, model.str());
 }
 
 } // namespace segment_mesh

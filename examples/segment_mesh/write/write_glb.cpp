@@ -15,6 +15,7 @@
 #include <map>
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,53 +25,85 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Of sRGB, from 0 to 255.
-double linear_channel(std::uint8_t channel)
-{
-  const double s = channel / 255.0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
-/// A vertex of glTF is a point with one normal.
+/// A vertex of glTF is a point with one normal and one texture point.
 struct Shaded_triangles
 {
-  std::vector<Point> points, normals;
+  std::vector<Point> points, normals, colors;
+  std::vector<Mesh_properties::Texture_point> texture; ///< v is down
   Triangles triangles;
 };
 
-/// At each corner of a triangle the mean of the normals round its point, by area, of triangles that
-/// are within 40 degrees of this one: the surface looks smooth, but for edges that are sharp.
+/// At the corners of triangles the mean of the normals round a point, by area, of triangles that
+/// are within 40 degrees: the surface looks smooth, but for edges that are sharp.
+class Normals
+{
+public:
+  explicit Normals(const Segment_triangles& segment)
+    : m_triangles_of_point(segment.part.soup.points.size())
+  {
+    const std::vector<Point>& points = segment.part.soup.points;
+    for (const auto& [a, b, c] : segment.triangles) {
+      for (const Polygons::Index i : {a, b, c})
+        m_triangles_of_point[i].push_back(m_areas.size());
+      m_areas.push_back(cross_product(minus(points[b], points[a]), minus(points[c], points[a])));
+      m_units.push_back(unit_vector(m_areas.back()));
+    }
+  }
+
+  Point at(std::size_t triangle, std::size_t point) const
+  {
+    constexpr double cosine_of_sharp = 0.77;
+    constexpr std::size_t many = 64; // a fan of n triangles would take n * n steps
+    Point sum = m_areas[triangle];
+    if (m_triangles_of_point[point].size() <= many) {
+      sum = {0, 0, 0};
+      for (std::size_t other : m_triangles_of_point[point])
+        if (inner_product(m_units[triangle], m_units[other]) > cosine_of_sharp)
+          sum = plus(sum, m_areas[other]);
+    }
+    const Point unit = unit_vector(sum);
+    return unit == Point{0, 0, 0} ? Point{0, 0, 1} : unit;
+  }
+
+private:
+  std::vector<Point> m_areas, m_units;
+  std::vector<std::vector<std::size_t>> m_triangles_of_point;
+};
+
+/// Of the corner of a face that has the point.
+Mesh_properties::Texture_point texture_at(const Mesh_part& part, std::size_t face,
+                                          std::size_t point)
+{
+  if (part.properties.texture_corners.empty())
+    return {0, 0};
+  const Polygon_soup::Polygon& polygon = part.soup.polygons[face];
+  const auto corner = std::find(polygon.begin(), polygon.end(), point);
+  const auto [u, v] = texture_point(part.properties,
+                                    std::size_t(corner - part.soup.polygons.corners().data()));
+  return {u, 1 - v};
+}
+
 Shaded_triangles shade(const Segment_triangles& segment)
 {
-  constexpr double cosine_of_sharp = 0.77;
-  constexpr std::size_t many = 64; // a fan of n triangles would take n * n steps
-  std::vector<Point> areas, units;
-  std::vector<std::vector<std::size_t>> triangles_of_point(segment.points.size());
-  for (const auto& [a, b, c] : segment.triangles) {
-    for (const Polygons::Index i : {a, b, c})
-      triangles_of_point[i].push_back(areas.size());
-    areas.push_back(cross_product(minus(segment.points[b], segment.points[a]),
-                                  minus(segment.points[c], segment.points[a])));
-    units.push_back(unit_vector(areas.back()));
-  }
+  const Normals normals(segment);
+  const std::vector<Mesh_properties::Rgb>& colors = segment.part.properties.colors;
   Shaded_triangles result;
-  std::map<std::pair<Polygons::Index, Point>, Polygons::Index> vertices;
-  for (std::size_t t = 0; t < areas.size(); ++t) {
+  std::map<std::tuple<Polygons::Index, Point, Mesh_properties::Texture_point>, Polygons::Index>
+    vertices;
+  for (std::size_t t = 0; t < segment.triangles.size(); ++t) {
     auto& triangle = result.triangles.emplace_back(segment.triangles[t]);
     for (Polygons::Index& i : triangle) {
-      Point sum = areas[t];
-      if (triangles_of_point[i].size() <= many) {
-        sum = {0, 0, 0};
-        for (std::size_t other : triangles_of_point[i])
-          if (inner_product(units[t], units[other]) > cosine_of_sharp)
-            sum = plus(sum, areas[other]);
-      }
-      const Point unit = unit_vector(sum), normal = unit == Point{0, 0, 0} ? Point{0, 0, 1} : unit;
-      const auto [vertex, is_new] = vertices.emplace(std::pair(i, normal),
+      const Point normal = normals.at(t, i);
+      const auto texture = texture_at(segment.part, segment.face_of_triangle[t], i);
+      const auto [vertex, is_new] = vertices.emplace(std::tuple(i, normal, texture),
                                                      Polygons::Index(result.points.size()));
       if (is_new) {
-        result.points.push_back(segment.points[i]);
+        result.points.push_back(segment.part.soup.points[i]);
         result.normals.push_back(normal);
+        result.texture.push_back(texture);
+        if (!colors.empty())
+          result.colors.push_back({linear_from_srgb(colors[i][0]), linear_from_srgb(colors[i][1]),
+                                   linear_from_srgb(colors[i][2])});
       }
       i = vertex->second;
     }
@@ -81,27 +114,52 @@ Shaded_triangles shade(const Segment_triangles& segment)
 class Glb_file
 {
 public:
+  /// `folder`: that of the file
+  Glb_file(const Mesh_properties& properties, const std::string& folder)
+  {
+    if (!properties.library || properties.library->gltf.empty())
+      return;
+    const Material_library& library = *properties.library;
+    m_json.update(ordered_json::parse(library.gltf));
+    m_number_of_materials = m_json["materials"].size();
+    for (std::size_t i = 0; m_json.contains("images") && i < m_json["images"].size(); ++i) {
+      ordered_json& image = m_json["images"][i];
+      if (image.contains("bufferView"))
+        image["bufferView"] = add_view(library.images[image["bufferView"]]);
+      else if (const std::string uri = image.value("uri", ""); uri.rfind("data:", 0) != 0)
+        image["uri"] = relative_name(library.folder, uri, folder);
+    }
+  }
+
   void add(const Segment_triangles& segment)
   {
+    const Mesh_properties& properties = segment.part.properties;
     const Shaded_triangles shaded = shade(segment);
+    ordered_json attributes = {{"POSITION", add_vectors<3>(shaded.points)},
+                               {"NORMAL", add_vectors<3>(shaded.normals)}};
+    if (!properties.texture_corners.empty())
+      attributes["TEXCOORD_0"] = add_vectors<2>(shaded.texture);
+    if (!properties.colors.empty())
+      attributes["COLOR_0"] = add_vectors<3>(shaded.colors);
+    std::map<std::size_t, Triangles> triangles_of_material;
+    const Face_sets& materials = properties.of(Set_kind::MATERIALS);
+    for (std::size_t t = 0; t < shaded.triangles.size(); ++t)
+      triangles_of_material[m_number_of_materials == 0
+                              ? m_json["materials"].size()
+                              : materials.set_of_face[segment.face_of_triangle[t]]]
+        .push_back(shaded.triangles[t]);
+    ordered_json primitives = ordered_json::array();
+    for (const auto& [material, triangles] : triangles_of_material) {
+      primitives.push_back({{"attributes", attributes}, {"indices", add_indices(triangles)}});
+      if (m_number_of_materials == 0 || material < m_number_of_materials)
+        primitives.back()["material"] = material;
+    }
     const std::size_t index = m_json["nodes"].size();
-    const ordered_json attributes = {{"POSITION", add_vectors(shaded.points)},
-                                     {"NORMAL", add_vectors(shaded.normals)}};
-    ordered_json primitive = {
-      {"attributes", attributes}, {"indices", add_indices(shaded.triangles)}, {"material", index}};
     m_json["scenes"][0]["nodes"].push_back(index);
     m_json["nodes"].push_back({{"name", segment.name}, {"mesh", index}});
-    m_json["meshes"].push_back(
-      {{"name", segment.name}, {"primitives", ordered_json::array({std::move(primitive)})}});
-    ordered_json color = ordered_json::array();
-    for (const std::uint8_t channel : segment.color)
-      color.push_back(linear_channel(channel));
-    color.push_back(1);
-    m_json["materials"].push_back(
-      {{"name", segment.name},
-       {"doubleSided", true},
-       {"pbrMetallicRoughness",
-        {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}});
+    m_json["meshes"].push_back({{"name", segment.name}, {"primitives", std::move(primitives)}});
+    if (m_number_of_materials == 0)
+      add_material(segment);
   }
 
   void write(std::ostream& out)
@@ -126,14 +184,30 @@ private:
     return size + type + content;
   }
 
-  std::size_t add_vectors(const std::vector<Point>& vectors)
+  /// Of a segment; white where points have colors, by which it is multiplied.
+  void add_material(const Segment_triangles& segment)
+  {
+    ordered_json color = ordered_json::array();
+    for (const std::uint8_t channel : segment.color)
+      color.push_back(segment.part.properties.colors.empty() ? linear_from_srgb(channel / 255.0)
+                                                             : 1);
+    color.push_back(1);
+    m_json["materials"].push_back(
+      {{"name", segment.name},
+       {"doubleSided", true},
+       {"pbrMetallicRoughness",
+        {{"baseColorFactor", color}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}});
+  }
+
+  template <std::size_t Size>
+  std::size_t add_vectors(const std::vector<std::array<double, Size>>& vectors)
   {
     std::string bytes;
-    std::array<float, 3> least, most;
+    std::array<float, Size> least, most;
     least.fill(HUGE_VALF);
     most.fill(-HUGE_VALF);
-    for (const Point& p : vectors)
-      for (std::size_t j = 0; j < 3; ++j) {
+    for (const std::array<double, Size>& p : vectors)
+      for (std::size_t j = 0; j < Size; ++j) {
         const float x = float(p[j]);
         append_little_endian(bytes, x);
         least[j] = (std::min)(least[j], x);
@@ -141,7 +215,7 @@ private:
       }
     return add_accessor({{"componentType", 5126}, // float
                          {"count", vectors.size()},
-                         {"type", "VEC3"},
+                         {"type", "VEC" + std::to_string(Size)},
                          {"min", least},
                          {"max", most}},
                         bytes, 34962); // of vertices
@@ -162,13 +236,19 @@ private:
   std::size_t add_accessor(ordered_json accessor, const std::string& bytes, int target)
   {
     const std::size_t index = m_json["accessors"].size();
-    accessor["bufferView"] = index;
+    accessor["bufferView"] = add_view(bytes);
+    m_json["bufferViews"].back()["target"] = target;
     m_json["accessors"].push_back(std::move(accessor));
-    m_json["bufferViews"].push_back({{"buffer", 0},
-                                     {"byteOffset", m_bytes.size()},
-                                     {"byteLength", bytes.size()},
-                                     {"target", target}});
+    return index;
+  }
+
+  std::size_t add_view(const std::string& bytes)
+  {
+    const std::size_t index = m_json["bufferViews"].size();
+    m_json["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", m_bytes.size()}, {"byteLength", bytes.size()}});
     m_bytes += bytes;
+    m_bytes.resize((m_bytes.size() + 3) / 4 * 4, '\0'); // where numbers may start
     return index;
   }
 
@@ -176,13 +256,14 @@ private:
                          {"scene", 0},
                          {"scenes", ordered_json::array({ordered_json::object()})}};
   std::string m_bytes;
+  std::size_t m_number_of_materials = 0; // those of the input, in place of one for each segment
 };
 
 } // namespace
 
-void write_glb(std::ostream& out, const Labelled_mesh& mesh)
+void write_glb(std::ostream& out, const Labelled_mesh& mesh, const std::string& folder)
 {
-  Glb_file file;
+  Glb_file file(mesh.properties, folder);
   for (const Segment_triangles& segment : triangles_of_segments(mesh))
     file.add(segment);
   file.write(out);

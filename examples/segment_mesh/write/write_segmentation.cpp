@@ -35,12 +35,19 @@ void write_borders(std::ostream& out, Output_format format, const Result& result
     write_borders_obj(out, points, result.details.borders());
 }
 
-/// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
-/// `material_library`: the name of that of .obj
-void write_segments(std::ostream& out, Output_format format, const Result& result,
-                    const Labelled_mesh& mesh, const std::string& material_library)
+std::string folder_of(const Output& output)
 {
-  switch (format) {
+  return is_written_directly(output.file)
+           ? ""
+           : std::filesystem::path(output.file).parent_path().string();
+}
+
+/// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
+/// `materials`: the names of the files of those of .obj
+void write_segments(std::ostream& out, const Output& output, const Result& result,
+                    const Labelled_mesh& mesh, const std::vector<std::string>& materials)
+{
+  switch (output.format) {
   case Output_format::SEG:
     return write_seg(out, result);
   case Output_format::PLY:
@@ -48,7 +55,7 @@ void write_segments(std::ostream& out, Output_format format, const Result& resul
   case Output_format::OFF:
     return write_off(out, mesh);
   case Output_format::OBJ:
-    return write_obj(out, mesh, material_library);
+    return write_obj(out, mesh, materials);
   case Output_format::VTP:
     return write_vtp(out, mesh);
   case Output_format::JSON:
@@ -60,11 +67,14 @@ void write_segments(std::ostream& out, Output_format format, const Result& resul
   case Output_format::HTML:
     return write_html(out, result);
   case Output_format::GLB:
-    return write_glb(out, mesh);
+    return write_glb(out, mesh, folder_of(output));
   case Output_format::THREE_MF:
-    return write_3mf(out, mesh);
+    return output.content == Output_content::PAINTED ? write_painted_3mf(out, mesh)
+                                                     : write_3mf(out, mesh);
   case Output_format::STL:
     return write_stl(out, mesh);
+  case Output_format::MSH:
+    return write_msh(out, mesh);
   }
 }
 
@@ -91,17 +101,21 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
 {
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
-  std::string name;
-  if (const std::string library = material_library(output); !library.empty()) {
+  std::vector<std::string> names;
+  if (has_obj_materials(mesh.properties)) {
+    for (const std::string& name : mesh.properties.library->files)
+      names.push_back(
+        one_line(relative_name(mesh.properties.library->folder, name, folder_of(output))));
+  } else if (const std::string library = material_library(output); !library.empty()) {
     materials.emplace(library);
     write_mtl(materials->stream(), mesh);
-    name = one_line(std::filesystem::path(library).filename().string());
+    names.push_back(one_line(std::filesystem::path(library).filename().string()));
   }
   write_stream(file.stream(), output.compression, [&](std::ostream& out) {
     if (output.content == Output_content::BORDERS)
       write_borders(out, output.format, result);
     else
-      write_segments(out, output.format, result, mesh, name);
+      write_segments(out, output, result, mesh, names);
   });
   if (materials)
     materials->commit();
@@ -141,10 +155,12 @@ void write_each_segment(const Output& output, const Result& result, const Labell
 {
   const auto faces = faces_of_segments(mesh.segment_of_face);
   for (std::size_t segment = 0; segment + 1 < faces.size(); ++segment) {
-    const Polygon_soup part = extract_faces(mesh.soup, faces[segment]);
+    const Mesh_part part = extract_faces(mesh, faces[segment]);
     Output file = output;
     file.file = with_segment(output.file, std::to_string(segment));
-    write_file(file, result, {part, std::vector<std::size_t>(part.polygons.size(), segment)});
+    write_file(file, result,
+               {part.soup, std::vector<std::size_t>(part.soup.polygons.size(), segment), mesh.names,
+                part.properties});
   }
 }
 
@@ -160,9 +176,11 @@ void write_segmentation(const Output& output, const Result& result)
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)
     solids = result.details.solids();
-  const Labelled_mesh mesh = solids ? Labelled_mesh{solids->soup, solids->segment_of_face}
+  const std::vector<std::string> names = result.details.names();
+  const Labelled_mesh mesh = solids ? Labelled_mesh{solids->soup, solids->segment_of_face, names}
                                     : Labelled_mesh{result.input.soup,
-                                                    result.segmentation.segment_of_face};
+                                                    result.segmentation.segment_of_face, names,
+                                                    result.input.properties};
   if (output.is_for_each_segment())
     write_each_segment(output, result, mesh);
   else

@@ -39,7 +39,7 @@ constexpr const char*
             "direction_z /primitive/direction/2 minor_radius /primitive/minor_radius "
             "lowest /primitive/extent/0 highest /primitive/extent/1 concave /primitive/concave "
             "role /role same_surface /same_surface same_axis /same_axis "
-            "smooth_neighbors /smooth_neighbor_ids";
+            "smooth_neighbors /smooth_neighbor_ids name /name";
 
 /// The values of a list are separated by spaces.
 void write_field(Text_buffer& text, const ordered_json& value)
@@ -94,6 +94,8 @@ ordered_json settings_json(const Result& result)
 {
   if (!result.side_files.labels.empty())
     return {{"labels", result.side_files.labels}};
+  if (const auto& kind = result.side_files.labels_from)
+    return {{"labels_from", set_kind_names[std::size_t(*kind)]}};
   const Segmentation_settings& settings = result.settings;
   ordered_json json = {{"method", name_of(settings.method)},
                        {"segments", nullptr},
@@ -103,6 +105,8 @@ ordered_json settings_json(const Result& result)
     json["segments"] = *settings.number_of_segments;
   if (!result.side_files.constraints.empty())
     json["constraints"] = result.side_files.constraints;
+  if (const auto& kind = result.side_files.constraints_from)
+    json["constraints_from"] = set_kind_names[std::size_t(*kind)];
   if (!result.side_files.seeds.empty())
     json["seeds"] = result.side_files.seeds;
   if (const auto& features = result.segmentation.features) {
@@ -133,7 +137,12 @@ ordered_json times_json(const Segmentation& segmentation)
 
 void add_details(const Result& result, ordered_json& json)
 {
-  json["segments"] = array_json(result.details.segments(), segment_json);
+  const std::vector<std::string> names = result.details.names();
+  json["segments"] = array_json(result.details.segments(), [&](const Segment_description& s) {
+    ordered_json segment = {{"name", names[s.segment]}};
+    segment.update(segment_json(s));
+    return segment;
+  });
   json["regions"] = array_json(result.details.regions(), [](const Region& r) -> ordered_json {
     return {{"segment", std::int64_t(r.segment)},
             {"faces", r.number_of_faces},
@@ -189,9 +198,11 @@ void write_csv(std::ostream& out, const Result& result)
   for (std::string name, member; in >> name >> member; members.emplace_back(member))
     text << "," << name;
   const std::vector<double> shares = area_shares(result);
+  const std::vector<std::string> names = result.details.names();
   for (const Segment_description& s : result.details.segments()) {
     ordered_json json = segment_json(s);
     json["area_share"] = shares[s.segment];
+    json["name"] = names[s.segment];
     ordered_json neighbors, smooth_neighbors;
     for (const ordered_json& neighbor : json["neighbors"]) {
       neighbors.push_back(neighbor["segment"]);

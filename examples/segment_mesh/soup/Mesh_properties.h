@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MESH_PROPERTIES_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MESH_PROPERTIES_H
+
+#include "soup/Polygon_soup.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+/// What sets of faces are in a file: groups and objects of OBJ, nodes of glTF; materials of both;
+/// the solids of STL.
+enum class Set_kind { GROUPS, MATERIALS, SOLIDS };
+
+/// The names of the kinds, in their order.
+constexpr const char* set_kind_names[] = {"groups", "materials", "solids"};
+
+/// Sets that share out the faces of a mesh, with their names in the file. A set may be empty.
+struct Face_sets
+{
+  std::vector<std::string> names;
+  std::vector<Polygons::Index> set_of_face;
+
+  bool empty() const { return set_of_face.empty(); }
+};
+
+/// The materials themselves, as their file has them.
+struct Material_library
+{
+  std::string folder;              ///< of the file, which names of files start from
+  std::vector<std::string> files;  ///< of OBJ: the .mtl files
+  std::string gltf;                ///< of glTF: `materials` and what they refer to, as JSON; an
+                                   ///< image's `bufferView` is its place in `images`
+  std::vector<std::string> images; ///< bytes
+};
+
+/// What a file says of a mesh beside its points and faces. What it does not have is empty.
+struct Mesh_properties
+{
+  using Texture_point = std::array<double, 2>;
+  using Rgb = std::array<float, 3>;
+
+  static constexpr Polygons::Index no_texture = Polygons::Index(-1);
+
+  std::array<Face_sets, 3> sets;                   ///< by `Set_kind`
+  std::vector<Rgb> colors;                         ///< of the points, from 0 to 1, in sRGB
+  std::vector<Texture_point> texture_points;       ///< u to the right, v up
+  std::vector<Polygons::Index> texture_corners;    ///< the texture point of each corner
+  std::shared_ptr<const Material_library> library; ///< null if there is none
+
+  const Face_sets& of(Set_kind kind) const { return sets[std::size_t(kind)]; }
+  Face_sets& of(Set_kind kind) { return sets[std::size_t(kind)]; }
+};
+
+/// \name A channel of a color from 0 to 1
+/// @{
+inline double linear_from_srgb(double s)
+{
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+inline double srgb_from_linear(double x)
+{
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+/// @}
+
+} // namespace segment_mesh
+
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MESH_PROPERTIES_H
