@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""simulation_test.py PROGRAM READER EXAMPLES: the segments of segment_mesh in the tools of simulation: groups, sets and patches
+of the names and areas of the segments, on surfaces and on volume meshes by EXAMPLES/pipelines/volume_mesh.geo. READER is gmsh,
+abaqus (what gmsh writes for it), meshio or openfoam, of the Debian packages gmsh with python3-gmsh, python3-meshio and openfoam.
+Without it the test is skipped."""
+
+import csv
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+from outputs_test import BLOCK, Case, area, fan, skip
+
+
+def names_of(case):
+    """Of the segments, by the role and the kind of surface that the table states."""
+    if "smooth-faces" not in case.command:
+        return case.names
+    case.write("names.csv")
+    with open(case.folder / "names.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    kinds = [{"blend": "fillet", "hole": "hole", "boss": "boss"}.get(row["role"], row["primitive"]) for row in rows]
+    radii = ["_r%.4g" % float(row["radius"]) if kind in ("hole", "boss") and row["primitive"] == "cylinder" else ""
+             for row, kind in zip(rows, kinds)]
+    return [f"{kind}_{i}{radius}" for i, (kind, radius) in enumerate(zip(kinds, radii))]
+
+
+def volume_of_tetrahedra(corners):
+    return numpy.linalg.det(corners[:, 1:] - corners[:, :1]).sum() / 6
+
+
+def expect(found, expected, tolerance=1e-6):
+    """Dictionaries of areas by name."""
+    assert sorted(found) == sorted(expected), found
+    numpy.testing.assert_allclose([found[name] for name in expected], list(expected.values()), rtol=tolerance)
+
+
+def make_volume_mesh(case, output, *options):
+    outcome = subprocess.run(["gmsh", "-3", "a.msh", case.pipeline, *options, "-o", output], cwd=case.folder,
+                             capture_output=True, text=True)
+    assert outcome.returncode == 0, outcome.stdout + outcome.stderr
+
+
+def groups_of_gmsh(gmsh, dimension):
+    """The elements of each physical group of the open model by name: the tags of their corners."""
+    groups = {}
+    for _, tag in gmsh.model.getPhysicalGroups(dimension):
+        corners = [gmsh.model.mesh.getElements(dimension, entity)[2]
+                   for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)]
+        groups[gmsh.model.getPhysicalName(dimension, tag)] = numpy.concatenate(corners, axis=None).reshape(-1, dimension + 1)
+    return groups
+
+
+def check_gmsh(case):
+    try:
+        import gmsh
+    except ImportError:
+        skip("no python3-gmsh")
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+
+    def read(name):
+        gmsh.open(str(case.folder / name))
+        tags, points, _ = gmsh.model.mesh.getNodes()
+        point_of_tag = numpy.full((int(tags.max()) + 1, 3), numpy.nan)
+        point_of_tag[tags] = points.reshape(-1, 3)
+        return point_of_tag
+
+    points = read("a.msh")
+    triangles = groups_of_gmsh(gmsh, 2)
+    expect({name: area(points[corners]) for name, corners in triangles.items()}, case.area_of_name)
+    assert sum(map(len, triangles.values())) == sum(len(face) - 2 for face in case.faces)
+    gmsh.model.mesh.createTopology()
+    assert all(len(gmsh.model.getAdjacencies(1, curve)[0]) == 2 for _, curve in gmsh.model.getEntities(1))
+
+    for options in [], ["-setnumber", "size", str(case.size)]:
+        make_volume_mesh(case, "volume.msh", *options)
+        points = read("volume.msh")
+        triangles, tetrahedra = groups_of_gmsh(gmsh, 2), groups_of_gmsh(gmsh, 3)
+        # A chord of a curved segment is shorter than its arc.
+        tolerance = 0.15 if options and case.curved else 1e-6
+        expect({name: area(points[corners]) for name, corners in triangles.items()}, case.area_of_name, tolerance)
+        assert list(tetrahedra) == ["volume"]
+        numpy.testing.assert_allclose(volume_of_tetrahedra(points[tetrahedra["volume"]]), case.volume, rtol=tolerance / 10)
+        sides = numpy.sort(tetrahedra["volume"], axis=1)[:, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]].reshape(-1, 3)
+        sides, counts = numpy.unique(sides, axis=0, return_counts=True)
+        boundary = numpy.unique(numpy.sort(numpy.concatenate(list(triangles.values())), axis=1), axis=0)
+        assert numpy.array_equal(sides[counts == 1], boundary), "the groups are not the boundary"
+    gmsh.finalize()
+
+
+def check_meshio(case):
+    try:
+        import meshio
+    except ImportError:
+        skip("no python3-meshio")
+
+    mesh = meshio.read(case.folder / "a.msh")
+    triangles = numpy.concatenate([block.data for block in mesh.cells])
+    tags = numpy.concatenate(mesh.cell_data["gmsh:physical"])
+    assert {block.type for block in mesh.cells} == {"triangle"} and all(d == 2 for _, d in mesh.field_data.values())
+    expect({name: area(mesh.points[triangles[tags == tag]]) for name, (tag, _) in mesh.field_data.items()}, case.area_of_name)
+
+    make_volume_mesh(case, "volume.msh")
+    mesh = meshio.read(case.folder / "volume.msh")
+    found = {}
+    for name in case.area_of_name:
+        corners, = (block.data[members] for block, members in zip(mesh.cells, mesh.cell_sets[name]) if len(members))
+        found[name] = area(mesh.points[corners])
+    expect(found, case.area_of_name)
+
+
+def check_abaqus(case):
+    """The file that gmsh writes, read by the rules of Abaqus: points, elements, and numbers of elements and points of sets."""
+    make_volume_mesh(case, "volume.inp", "-setnumber", "Mesh.SaveGroupsOfNodes", "1")
+    items = {"NODE": {}, "ELEMENT": {}, "ELSET": {}, "NSET": {}}
+    text = re.sub(r"^\*\*.*\n", "", (case.folder / "volume.inp").read_text(), flags=re.MULTILINE)
+    for block in re.split(r"^\*", text, flags=re.MULTILINE)[1:]:
+        keyword, data = block.split("\n", 1)
+        keyword, *options = keyword.split(",")
+        lines = [re.findall(r"[^,\s]+", line) for line in data.split("\n") if line]
+        if keyword in ("NODE", "ELEMENT"):
+            items[keyword].update((line[0], line[1:]) for line in lines)
+        elif keyword in ("ELSET", "NSET"):
+            items[keyword][options[0].split("=")[1]] = [word for line in lines for word in line]
+    points = {number: numpy.array(words, dtype=float) for number, words in items["NODE"].items()}
+    corners_of = {name: [items["ELEMENT"][element] for element in elements] for name, elements in items["ELSET"].items()}
+    assert {name: {c for corners in elements for c in corners} for name, elements in corners_of.items()} == {
+        name: set(numbers) for name, numbers in items["NSET"].items()}
+    found = {name: numpy.array([[points[c] for c in corners] for corners in elements]) for name, elements in corners_of.items()}
+    numpy.testing.assert_allclose(volume_of_tetrahedra(found.pop("volume")), case.volume, rtol=1e-6)
+    expect({name: area(triangles) for name, triangles in found.items()}, case.area_of_name)
+
+
+def check_openfoam(case):
+    case.write("a.stl")
+    report = subprocess.run(["surfaceCheck", "-checkSelfIntersection", "a.stl"], cwd=case.folder, capture_output=True, text=True,
+                            env={"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ})
+    assert report.returncode == 0, report.stderr
+    table = re.search(r"^Region\tSize\n-+\t-+\n(.+?)\n\n", report.stdout, re.MULTILINE | re.DOTALL)[1]
+    triangles = dict.fromkeys(case.area_of_name, 0)
+    for face, label in zip(case.faces, case.labels):
+        triangles[case.segment_names[label]] += len(face) - 2
+    assert [line.split("\t") for line in table.split("\n")] == [[name, str(n)] for name, n in triangles.items()], table
+    for line in "no illegal triangles", "Surface is closed", "not self-intersecting":
+        assert line in report.stdout, report.stdout
+
+
+def main(program, reader, examples):
+    examples = pathlib.Path(examples)
+    check = {"gmsh": check_gmsh, "abaqus": check_abaqus, "meshio": check_meshio, "openfoam": check_openfoam}[reader]
+    needed = "surfaceCheck" if reader == "openfoam" else "gmsh"
+    if not shutil.which(needed):
+        skip(f"no {needed}")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "block.off").write_text(BLOCK)
+        flange = str(examples / "data" / "flange.off")
+        for mesh, options, size in (("block.off", ["--method", "smooth-faces"], 0.5), (flange, ["--method", "smooth-faces"], 8),
+                                    ("--demo", [], 0.05)):
+            case = Case(program, folder, mesh, options)
+            case.segment_names = names_of(case)
+            case.area_of_name = dict(zip(case.segment_names, case.areas, strict=True))
+            case.volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
+            case.curved, case.size = mesh != "block.off", size
+            case.pipeline = str(examples / "pipelines" / "volume_mesh.geo")
+            case.write("a.msh")
+            check(case)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
