@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """outputs_test.py PROGRAM READER: what segment_mesh writes, read by another program: as many parts as segments, with the areas
-that they have by the .seg file and the mesh. READER is assimp, vtk or prusa-slicer, of the Debian packages assimp-utils,
-python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a format, the test is
+that they have by the .seg file and the mesh. READER is assimp, vtk, prusa-slicer or painted (by prusa-slicer), of the Debian
+packages assimp-utils, python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a format, the test is
 skipped."""
 
 import csv
@@ -12,6 +12,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
+from xml.etree import ElementTree
 
 import numpy
 
@@ -188,27 +190,81 @@ def check_vtk(case):
     numpy.testing.assert_allclose(points_of_obj, points, rtol=1e-6)
 
 
-def check_slicer(case):
-    def slicer(*arguments):
-        return subprocess.run(["prusa-slicer", *arguments], cwd=case.folder, check=True, capture_output=True, text=True).stdout
+def run_slicer(case, *arguments):
+    return subprocess.run(["prusa-slicer", *arguments], cwd=case.folder, check=True, capture_output=True, text=True).stdout
 
+
+def check_slicer(case):
     case.write("a.stl", "a.3mf")
     for kind in "stl", "3mf":
-        slicer("--export-stl", "--dont-arrange", "--no-ensure-on-bed", "-o", f"{kind}_back.stl", f"a.{kind}")
+        run_slicer(case, "--export-stl", "--dont-arrange", "--no-ensure-on-bed", "-o", f"{kind}_back.stl", f"a.{kind}")
         data = (case.folder / f"{kind}_back.stl").read_bytes()
         corners = numpy.frombuffer(data[84:], [("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])["corners"]
         numpy.testing.assert_allclose(area(corners.reshape(-1, 3, 3)), sum(case.areas), rtol=1e-6)
-    assert slicer("--info", "a.3mf").count("number_of_facets") == len(case.areas)
+    assert run_slicer(case, "--info", "a.3mf").count("number_of_facets") == len(case.areas)
 
     case.write("a.stl", "a.3mf", "part_{segment}.stl", options=["--solids"])
     volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
     for names in ["a.stl"], ["a.3mf"], [f"part_{i}.stl" for i in range(len(case.areas))]:
-        info = "".join(slicer("--info", name) for name in names)
+        info = "".join(run_slicer(case, "--info", name) for name in names)
         values = {name: re.findall(rf"^{name} = +(\S+)", info, re.MULTILINE)
                   for name in ("manifold", "number_of_parts", "volume")}
         assert set(values["manifold"]) == {"yes"}, info
         assert sum(map(int, values["number_of_parts"])) == len(case.areas), info
         numpy.testing.assert_allclose(sum(map(float, values["volume"])), volume, rtol=1e-4)
+
+
+def check_painted(case):
+    """The extruder of each triangle, as the slicer keeps it, and those of the lines that it prints on the surface."""
+    case.write("painted.3mf", options=["--painted"])
+    run_slicer(case, "--export-3mf", "--dont-arrange", "--no-ensure-on-bed", "-o", "back.3mf", "painted.3mf")
+    with zipfile.ZipFile(case.folder / "back.3mf") as archive:
+        model = ElementTree.fromstring(archive.read("3D/3dmodel.model"))
+    points = numpy.array([[vertex.get(axis) for axis in "xyz"] for vertex in model.findall(".//{*}vertex")], dtype=float)
+    triangles = model.findall(".//{*}triangle")
+    corners = numpy.array([[triangle.get(corner) for corner in ("v1", "v2", "v3")] for triangle in triangles], dtype=int)
+    code, = (name for name in triangles[0].keys() if name.endswith("}mmu_segmentation"))
+    # Hexadecimal digits, the last one first: four times the extruder, or 12 and then the extruder less 3.
+    extruder_of_code = {"4": 1, "8": 2, **{f"{i - 3:X}C": i for i in range(3, 16)}}
+    extruders = numpy.array([extruder_of_code[triangle.get(code)] for triangle in triangles])
+    label_of_side = {side: label for face, label in zip(case.faces, case.labels) for side in zip(face, face[1:] + face[:1])}
+    original = numpy.linalg.norm(points[:, None] - numpy.array(case.points), axis=2).argmin(axis=1) # rounded by the slicer
+    for (a, b, c), extruder in zip(original[corners], extruders, strict=True):
+        labels = {label_of_side[side] for side in ((a, b), (b, c), (c, a)) if side in label_of_side}
+        assert {label % 15 + 1 for label in labels} == {extruder}
+
+    # In a size of 60 mm. Outer lines near the surface are of the extruder of the nearest of many points on it, except where
+    # two meet.
+    low, high = points.min(axis=0), points.max(axis=0)
+    scale = 60 / (high - low).max()
+    options = {"nozzle-diameter": 0.4, "filament-diameter": 1.75, "temperature": 200, "first-layer-temperature": 200}
+    run_slicer(case, "--export-gcode", "--scale", str(scale), "--center", "0,0", "--skirts", "0", "-o", "painted.gcode",
+          *(f"--{name}={','.join([str(value)] * 15)}" for name, value in options.items()), "painted.3mf")
+    position, tool, used, outer, lines = numpy.zeros(3), 0, set(), False, []
+    for line in (case.folder / "painted.gcode").read_text().split("\n"):
+        if re.match(r"T\d", line):
+            tool = int(line[1:].split(" ")[0])
+        elif line.startswith(";TYPE:"):
+            outer = line == ";TYPE:External perimeter"
+        elif line.startswith("G1 "):
+            move = {word[0]: float(word[1:]) for word in line.split(";")[0].split()[1:]}
+            end = numpy.array([move.get(axis, before) for axis, before in zip("XYZ", position)])
+            if move.get("E", 0) > 0 and "X" in move:
+                used.add(tool)
+                if outer:
+                    lines.append((tool, *(position + end) / 2))
+            position = end
+    assert used == set(extruders - 1)
+    random = numpy.random.default_rng(1)
+    areas = [area([triangle]) for triangle in points[corners]]
+    chosen = random.choice(len(corners), 10000, p=areas / numpy.sum(areas))
+    on_surface = numpy.einsum("nc,ncx->nx", random.dirichlet((1, 1, 1), len(chosen)), points[corners[chosen]])
+    lines = random.choice(lines, 500)
+    origin = [*(low + high)[:2] / 2, low[2]]
+    distances = numpy.linalg.norm(on_surface[:, None] - (lines[:, 1:] / scale + origin), axis=2)
+    near = distances.min(axis=0) * scale < 1
+    agree = extruders[chosen[distances.argmin(axis=0)]] - 1 == lines[:, 0]
+    assert near.sum() > 100 and agree[near].mean() > 0.9, (near.sum(), agree[near].mean())
 
 
 def check_csv(case):
@@ -221,12 +277,16 @@ def check_csv(case):
 
 
 def main(program, reader):
-    if reader in ("assimp", "prusa-slicer") and not shutil.which(reader):
-        skip(f"no {reader}")
-    check = {"assimp": check_assimp, "vtk": check_vtk, "prusa-slicer": check_slicer, "csv": check_csv}[reader]
+    needed = "prusa-slicer" if reader == "painted" else reader
+    if needed in ("assimp", "prusa-slicer") and not shutil.which(needed):
+        skip(f"no {needed}")
+    check = {"assimp": check_assimp, "vtk": check_vtk, "prusa-slicer": check_slicer, "painted": check_painted,
+             "csv": check_csv}[reader]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "block.off").write_text(BLOCK)
+        if reader == "painted":
+            check(Case(program, folder, "--demo", ["-k", "20"])) # more segments than extruders
         check(Case(program, folder, "--demo", []))
         check(Case(program, folder, "block.off", ["--method", "smooth-faces"]))
         check(Case(program, folder, "block.off", ["-k", "2"])) # sharp edges inside segments
