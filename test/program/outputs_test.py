@@ -67,6 +67,8 @@ class Case:
         self.labels = [int(word) for word in (folder / "labels.seg").read_text().split()]
         self.areas = self.areas_by(self.points, self.faces, self.labels)
         self.names = [f"segment_{i}" for i in range(len(self.areas))]
+        if "smooth-faces" in options:
+            self.names = self.names_of_faces()
 
     def write(self, *names, options=()):
         outputs = [word for name in names for word in ("-o", name)]
@@ -74,6 +76,16 @@ class Case:
         if "built without" in outcome.stderr:
             skip(outcome.stderr)
         assert outcome.returncode == 0, outcome.stderr
+
+    def names_of_faces(self):
+        """By the role and the kind of surface that the table states."""
+        self.write("names.csv")
+        with open(self.folder / "names.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        kinds = [{"blend": "fillet", "hole": "hole", "boss": "boss"}.get(row["role"], row["primitive"]) for row in rows]
+        radii = ["_r%.4g" % float(row["radius"]) if kind in ("hole", "boss") and row["primitive"] == "cylinder" else ""
+                 for row, kind in zip(rows, kinds)]
+        return [f"{kind}_{i}{radius}" for i, (kind, radius) in enumerate(zip(kinds, radii))]
 
     @staticmethod
     def areas_by(points, faces, keys):

@@ -4,7 +4,6 @@ of the names and areas of the segments, on surfaces and on volume meshes by EXAM
 abaqus (what gmsh writes for it), meshio or openfoam, of the Debian packages gmsh with python3-gmsh, python3-meshio and openfoam.
 Without it the test is skipped."""
 
-import csv
 import os
 import pathlib
 import re
@@ -16,19 +15,6 @@ import tempfile
 import numpy
 
 from outputs_test import BLOCK, Case, area, fan, skip
-
-
-def names_of(case):
-    """Of the segments, by the role and the kind of surface that the table states."""
-    if "smooth-faces" not in case.command:
-        return case.names
-    case.write("names.csv")
-    with open(case.folder / "names.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    kinds = [{"blend": "fillet", "hole": "hole", "boss": "boss"}.get(row["role"], row["primitive"]) for row in rows]
-    radii = ["_r%.4g" % float(row["radius"]) if kind in ("hole", "boss") and row["primitive"] == "cylinder" else ""
-             for row, kind in zip(rows, kinds)]
-    return [f"{kind}_{i}{radius}" for i, (kind, radius) in enumerate(zip(kinds, radii))]
 
 
 def volume_of_tetrahedra(corners):
@@ -146,7 +132,7 @@ def check_openfoam(case):
     table = re.search(r"^Region\tSize\n-+\t-+\n(.+?)\n\n", report.stdout, re.MULTILINE | re.DOTALL)[1]
     triangles = dict.fromkeys(case.area_of_name, 0)
     for face, label in zip(case.faces, case.labels):
-        triangles[case.segment_names[label]] += len(face) - 2
+        triangles[case.names[label]] += len(face) - 2
     assert [line.split("\t") for line in table.split("\n")] == [[name, str(n)] for name, n in triangles.items()], table
     for line in "no illegal triangles", "Surface is closed", "not self-intersecting":
         assert line in report.stdout, report.stdout
@@ -165,8 +151,7 @@ def main(program, reader, examples):
         for mesh, options, size in (("block.off", ["--method", "smooth-faces"], 0.5), (flange, ["--method", "smooth-faces"], 8),
                                     ("--demo", [], 0.05)):
             case = Case(program, folder, mesh, options)
-            case.segment_names = names_of(case)
-            case.area_of_name = dict(zip(case.segment_names, case.areas, strict=True))
+            case.area_of_name = dict(zip(case.names, case.areas, strict=True))
             case.volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
             case.curved, case.size = mesh != "block.off", size
             case.pipeline = str(examples / "pipelines" / "volume_mesh.geo")
