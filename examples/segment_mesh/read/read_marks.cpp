@@ -115,9 +115,9 @@ const Face_sets& sets_of_input(const std::string& file, const Input_mesh& input,
   if (!input.properties.of(kind).empty())
     return input.properties.of(kind);
   std::string others;
-  for (std::size_t i = 0; i < input.properties.sets.size(); ++i)
-    if (!input.properties.sets[i].empty())
-      others += (others.empty() ? "; it has " : " and ") + std::string(set_kind_names[i]);
+  for (Set_kind other : input.properties.kinds())
+    others += (others.empty() ? "; it has " : " and ") +
+              std::string(set_kind_names[std::size_t(other)]);
   throw Input_error(file, std::string("has no ") + set_kind_names[std::size_t(kind)] + others);
 }
 

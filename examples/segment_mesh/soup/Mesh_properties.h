@@ -56,6 +56,23 @@ struct Mesh_properties
 
   const Face_sets& of(Set_kind kind) const { return sets[std::size_t(kind)]; }
   Face_sets& of(Set_kind kind) { return sets[std::size_t(kind)]; }
+
+  /// Those of which there are sets.
+  std::vector<Set_kind> kinds() const
+  {
+    std::vector<Set_kind> result;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (!sets[i].empty())
+        result.push_back(Set_kind(i));
+    return result;
+  }
+
+  /// Of a corner; (0, 0) where it has none. \pre corners have texture points
+  Texture_point texture_point(std::size_t corner) const
+  {
+    const Polygons::Index i = texture_corners[corner];
+    return i == no_texture ? Texture_point{0, 0} : texture_points[i];
+  }
 };
 
 /// \name A channel of a color from 0 to 1

@@ -69,6 +69,20 @@ private:
   std::string m_text;
 };
 
+/// With a blank between two; `start` before the first one.
+template <typename Numbers>
+void write_numbers(Text_buffer& text, const char* start, const Numbers& numbers)
+{
+  const char* separator = start;
+  for (const auto number : numbers) {
+    if constexpr (sizeof(number) == 1)
+      text << separator << std::int64_t(number);
+    else
+      text << separator << number;
+    separator = " ";
+  }
+}
+
 } // namespace segment_mesh
 
 #endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_TEXT_BUFFER_H

@@ -78,8 +78,8 @@ Mesh_properties::Texture_point texture_at(const Mesh_part& part, std::size_t fac
     return {0, 0};
   const Polygon_soup::Polygon& polygon = part.soup.polygons[face];
   const auto corner = std::find(polygon.begin(), polygon.end(), point);
-  const auto [u, v] = texture_point(part.properties,
-                                    std::size_t(corner - part.soup.polygons.corners().data()));
+  const auto [u, v] = part.properties.texture_point(
+    std::size_t(corner - part.soup.polygons.corners().data()));
   return {u, 1 - v};
 }
 

@@ -26,13 +26,25 @@ namespace segment_mesh {
 
 namespace {
 
+/// With no other points than those of borders.
 void write_borders(std::ostream& out, Output_format format, const Result& result)
 {
-  const std::vector<Point>& points = result.input.soup.points;
+  constexpr std::size_t unused = std::size_t(-1);
+  std::vector<std::size_t> new_index(result.input.soup.points.size(), unused);
+  std::vector<Point> points;
+  std::vector<Border> borders = result.details.borders();
+  for (Border& border : borders)
+    for (std::size_t& i : border.points) {
+      if (new_index[i] == unused) {
+        new_index[i] = points.size();
+        points.push_back(result.input.soup.points[i]);
+      }
+      i = new_index[i];
+    }
   if (format == Output_format::VTP)
-    write_borders_vtp(out, points, result.details.borders());
+    write_borders_vtp(out, points, borders);
   else
-    write_borders_obj(out, points, result.details.borders());
+    write_borders_obj(out, points, borders);
 }
 
 std::string folder_of(const Output& output)

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "write/Text_buffer.h"
+#include "write/write_mesh.h"
+
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace segment_mesh {
+
+void write_off(std::ostream& out, const Labelled_mesh& mesh)
+{
+  const std::vector<Mesh_properties::Rgb>& colors = mesh.properties.colors;
+  Text_buffer text(out);
+  text << (colors.empty() ? "OFF\n" : "COFF\n") << mesh.soup.points.size() << " "
+       << mesh.soup.polygons.size() << " 0\n";
+  for (std::size_t i = 0; i < mesh.soup.points.size(); ++i) {
+    write_numbers(text, "", mesh.soup.points[i]);
+    if (!colors.empty()) {
+      write_numbers(text, " ", bytes_of(colors[i]));
+      text << " 255"; // opaque
+    }
+    text << "\n";
+  }
+  for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
+    text << mesh.soup.polygons[f].size();
+    write_numbers(text, " ", mesh.soup.polygons[f]);
+    write_numbers(text, " ", segment_color(mesh.segment_of_face[f]));
+    text << "\n";
+  }
+}
+
+} // namespace segment_mesh
