@@ -40,6 +40,7 @@ void write_off(Corpus corpus)
   corpus.add(with(sample::off(), "OFF\n4 4 0", "OFF4 4 0"));
   corpus.add("4OFF\n3 1 0 # x\n0 0 0 1\n2 0 0 2\n0 1e-3 +0.5E1 1\n3 0 1 2 255 0 0\n");
   corpus.add("COFF 3 1 0 0 0\r0 1 0 0 1\n1 0 0 1 0 0 1 0 1 0 0 1 3 0\n1 2");
+  corpus.add("CNOFF\n3 1 0\n0 0 0 0 0 1 255 0 9 255\n1 0 0 0 0 1 .5 1 0\n0 1 0\n3 0 1 2\n");
   corpus.add("STCNOFF\r\n3 1 0\r\n0 0 0 0 0 1\r\n1 0 0 0 0 1\r\n0 1 0 0 0 1\r\n3 0 1 2\r\n");
 }
 
@@ -47,7 +48,7 @@ void write_obj(Corpus corpus)
 {
   corpus.add(sample::obj());
   corpus.add("\xef\xbb\xbf# x\nmtllib a\no b\nv 0 0 0 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 0 \\\n0\nv 0 1 "
-             "0\nf -3/1/1 2//1 3/1\nhello\n");
+             "0\nf -3/1/1 2//1 3/1\nhello\nusemtl x y\nf 1/-1 2/2 3/\ng\nf 1 2 3\n");
 }
 
 void write_ply(Corpus corpus)
@@ -69,6 +70,12 @@ void write_ply(Corpus corpus)
              "property double y\nproperty double z\nelement face 1\nproperty list uchar float uv\n"
              "property list short ushort vertex_index\nend_header\n1 0 0 0\n1 1 0 0\n1 0 1 0\n2 "
              "0.5 0.5 3 0 1 2\n");
+  corpus.add("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nproperty uchar red\nproperty ushort green\nproperty float blue\n"
+             "property float s\nproperty double t\nelement face 1\n"
+             "property list uchar float texcoord\nproperty list uchar int vertex_indices\n"
+             "end_header\n0 0 0 9 9 .5 0 1\n1 0 0 1 2 3 4 5\n0 1 0 0 0 0 nan 1\n"
+             "6 0 1 1 0 .5 x 3 0 1 2\n");
 }
 
 void write_stl(Corpus corpus)
@@ -84,6 +91,13 @@ void write_gltf(Corpus corpus)
   corpus.add(sample::glb());
   corpus.add(sample::glb(with(sample::gltf_json(""), R"({"mesh":0})",
                               R"({"mesh":0,"rotation":[0,0,1,1],"scale":[1,2,-3]})")));
+  const std::string textured = with(
+    with(sample::gltf_json(""), R"("POSITION":0)", R"("POSITION":0,"COLOR_0":0,"TEXCOORD_0":2)"),
+    R"("accessors":[)",
+    R"("materials":[{"name":"x"}],"images":[{"bufferView":1},{"uri":"a.png"}],"accessors":[)");
+  corpus.add(sample::glb(
+    with(with(textured, R"("mode":4)", R"("mode":4,"material":0)"), R"("type":"SCALAR"})",
+         R"("type":"SCALAR"},{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})")));
   corpus.add(
     sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
 }
