@@ -452,7 +452,8 @@ private:
         continue;
       const Json& view = m_json.at("bufferViews").at(member(image, "bufferView"));
       const std::size_t buffer = member(view, "buffer");
-      const std::string_view bytes = buffer < m_buffers.size() ? m_buffers[buffer] : "";
+      const std::string_view bytes = buffer < m_buffers.size() ? std::string_view(m_buffers[buffer])
+                                                               : std::string_view();
       const std::size_t start = (std::min)(member(view, "byteOffset", 0), bytes.size());
       image["bufferView"] = result.images.size();
       result.images.emplace_back(bytes.substr(start, member(view, "byteLength")));
