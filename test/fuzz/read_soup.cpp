@@ -7,6 +7,8 @@
 #include "require.h"
 #include "soup/vector_algebra.h"
 
+#include <cmath>
+
 using namespace segment_mesh;
 
 namespace {
@@ -23,6 +25,18 @@ std::size_t memory_of(const Polygon_soup& soup)
          (soup.polygons.capacity() + soup.polygons.corners().capacity()) * sizeof(Polygons::Index);
 }
 
+template <typename Value>
+void check_values(const Corner_values<Value>& all, const Polygons& polygons)
+{
+  require(all.empty() || all.of_corner.size() == polygons.corners().size(),
+          "each corner has a value or none");
+  for (const Polygons::Index i : all.of_corner)
+    require(i == all.none || i < all.values.size(), "values are there");
+  for (const Value& value : all.values)
+    for (const auto number : value)
+      require(std::isfinite(number), "values are finite");
+}
+
 /// Of each element there is a value, and no index is out of range.
 void check_properties(const Input_mesh& input)
 {
@@ -31,16 +45,10 @@ void check_properties(const Input_mesh& input)
   for (const Face_sets& sets : properties.sets) {
     require(sets.empty() || sets.set_of_face.size() == polygons.size(), "each face is in a set");
     for (const std::size_t set : sets.set_of_face)
-      require(set < sets.names.size(), "sets have names");
+      require(set < sets.names->size(), "sets have names");
   }
-  require(properties.colors.empty() || properties.colors.size() == input.soup.points.size(),
-          "each point has a color");
-  require(properties.texture_corners.empty() ||
-            properties.texture_corners.size() == polygons.corners().size(),
-          "each corner has a texture point or none");
-  for (const Polygons::Index i : properties.texture_corners)
-    require(i == Mesh_properties::no_texture || i < properties.texture_points.size(),
-            "texture points are there");
+  check_values(properties.colors, polygons);
+  check_values(properties.texture, polygons);
 }
 
 } // namespace

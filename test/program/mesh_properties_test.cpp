@@ -75,12 +75,13 @@ std::multiset<std::array<long, 8>> corners_of(const Input_mesh& input)
   for (const auto& polygon : input.soup.polygons)
     for (std::size_t i : polygon) {
       std::array<long, 8> values{};
-      const Polygons::Index t = properties.texture_corners.at(corner++);
+      const auto color = properties.colors.at(corner, {9, 9, 9});
+      const auto texture = properties.texture.at(corner++, {});
       for (std::size_t j = 0; j < 3; ++j) {
         values[j] = std::lround(1000 * input.soup.points[i][j]);
-        values[3 + j] = std::lround(1000 * properties.colors.at(i)[j]);
-        if (j < 2 && t != Mesh_properties::no_texture)
-          values[6 + j] = std::lround(1000 * properties.texture_points.at(t)[j]);
+        values[3 + j] = std::lround(1000 * color[j]);
+        if (j < 2)
+          values[6 + j] = std::lround(1000 * texture[j]);
       }
       result.insert(values);
     }
@@ -103,8 +104,8 @@ TEST_F(Mesh_properties_program, colors_and_textures_pass_through_formats)
   for (const char* file : {"c.obj", "c.ply"})
     EXPECT_EQ(corners_of(read_mesh(folder.path(file))), corners_of(ply)) << file;
   const Input_mesh off = read_mesh(folder.path("b.off"));
-  EXPECT_EQ(off.properties.colors, ply.properties.colors);
-  EXPECT_NEAR(off.properties.colors.at(3)[0], 0.5, 1 / 255.0);
+  EXPECT_EQ(off.properties.colors.values, ply.properties.colors.values);
+  EXPECT_NEAR(off.properties.colors.values.at(3)[0], 0.5, 1 / 255.0);
 }
 
 TEST_F(Mesh_properties_program, sets_are_numbered_in_ply_and_vtp)
@@ -165,14 +166,15 @@ TEST_F(Mesh_properties_program, every_face_is_in_a_set)
   const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                             "vertex 0 1 0\nendloop\nendfacet\n";
   folder.write("a.stl", "solid part\n" + facet + "endsolid part\nsolid part\n" + facet +
-                          "endsolid\nsolid\n" + facet + "endsolid\nsolid empty\nendsolid\n");
+                          "endsolid\nsolid part_2\n" + facet + "endsolid\nsolid\n" + facet +
+                          "endsolid\nsolid empty\nendsolid\n");
   EXPECT_EQ(run("a.stl --labels-from solids -o b.stl").status, 0);
   EXPECT_EQ(lines_after("solid ", folder.read("b.stl")),
-            (std::vector<std::string>{"part", "part_2", "unnamed"}));
+            (std::vector<std::string>{"part", "part_2", "part_2_2", "unnamed"}));
   folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng a b\nf 1 2 3\ng a_b\nf 1 2 3\n"
                         "g\nf 1 2 3\ng a b\nf 1 2 3\n");
   EXPECT_EQ(run("a.obj --labels-from groups -o a.seg -o a.csv").status, 0);
-  EXPECT_EQ(folder.read("a.seg"), "0\n1\n2\n0\n1\n");
+  EXPECT_EQ(folder.read("a.seg"), "2\n0\n1\n2\n0\n");
   const std::string table = folder.read("a.csv");
   for (const char* name : {",unnamed\n", ",a_b\n", ",a_b_2\n"})
     EXPECT_NE(table.find(name), std::string::npos) << table;
@@ -267,6 +269,141 @@ TEST_F(Mesh_properties_program, glb_keeps_materials)
   for (const char* name : {",a\n", ",material_2\n", ",unnamed\n"})
     EXPECT_NE(table.find(name), std::string::npos) << table;
   EXPECT_EQ(table.find(",b\n"), std::string::npos) << table;
+}
+
+/// `#` begins a comment, but not in a name; a line of libraries is one name if there is such a
+/// file.
+TEST_F(Mesh_properties_program, names_of_obj_are_kept)
+{
+  const std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Material #25\nf 1 2 3 # x\n"
+                            "usemtl  a  b \nf 3 2 1\n";
+  folder.write("a.obj", "mtllib lib#1.mtl\nmtllib b c.mtl\nmtllib c.mtl d.mtl\n" + faces);
+  folder.write("b c.mtl", "");
+  folder.write("c.mtl", "");
+  EXPECT_EQ(run("a.obj --labels-from materials -o b.obj -o b.csv").err, "");
+  const std::string obj = folder.read("b.obj");
+  EXPECT_EQ(lines_after("mtllib ", obj),
+            (std::vector<std::string>{"lib#1.mtl", "b c.mtl", "c.mtl", "d.mtl"}));
+  EXPECT_EQ(lines_after("usemtl ", obj), (std::vector<std::string>{"Material #25", "a  b"}));
+  EXPECT_EQ(lines_after("g ", obj), (std::vector<std::string>{"Material__25", "a__b"}));
+
+  folder.write("c.obj", faces); // without the file of its materials their names are groups
+  EXPECT_EQ(run("c.obj -k 1 -o d.obj").status, 0);
+  EXPECT_EQ(lines_after("g ", folder.read("d.obj")),
+            (std::vector<std::string>{"segment_0 Material_#25", "segment_0 a__b"}));
+
+  const Outcome outcome = run("a.obj -k 1 --solids -o c.obj");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(folder.read("c.mtl"), "");
+  EXPECT_NE(outcome.err.find("c.obj: its .mtl would replace the materials of the input"),
+            std::string::npos)
+    << outcome.err;
+}
+
+TEST_F(Mesh_properties_program, names_are_of_ascii_and_different)
+{
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng W\xc3\xa4nde/\xff\nf 1 2 3\ng a b\nf 1 2 3\n"
+                        "g a_b_2\nf 1 2 3\ng a/b\nf 1 2 3\ng " +
+                          std::string(300, 'x') + "\nf 1 2 3\n");
+  EXPECT_EQ(run("a.obj --labels-from groups -o a.stl").status, 0);
+  EXPECT_EQ(lines_after("solid ", folder.read("a.stl")),
+            (std::vector<std::string>{"W_nde__", "a_b", "a_b_2", "a_b_3", std::string(100, 'x')}));
+}
+
+/// Of PLY: texture coordinates of vertices stay with them, the names of images stay, too.
+TEST_F(Mesh_properties_program, ply_keeps_textures)
+{
+  const std::string start = "ply\nformat ascii 1.0\ncomment TextureFile my tex.png\n"
+                            "element vertex 4\nproperty float x\nproperty float y\n"
+                            "property float z\nproperty float s\nproperty float t\n",
+                    points = "0 0 0 0 .25\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n";
+  folder.write("a.ply", start +
+                          "element face 2\nproperty list uchar int vertex_indices\nend_header\n" +
+                          points + "3 0 1 2\n3 0 2 3\n");
+  std::filesystem::create_directory(folder.path("b"));
+  EXPECT_EQ(run("a.ply -k 1 -o b/b.ply").err, "");
+  const std::string ply = folder.read("b/b.ply");
+  EXPECT_NE(ply.find("comment TextureFile ../my tex.png\n"), std::string::npos);
+  EXPECT_NE(ply.find("property float s\nproperty float t\n"), std::string::npos);
+  EXPECT_EQ(ply.find("texcoord"), std::string::npos);
+  EXPECT_EQ(read_mesh(folder.path("b/b.ply")).properties.texture.values.at(0)[1], 0.25);
+
+  // Triangle strips before faces have no texture coordinates of faces.
+  folder.write("c.ply", start +
+                          "element tristrips 1\nproperty list uchar int vertex_indices\n"
+                          "element face 1\nproperty list uchar int vertex_indices\n"
+                          "property list uchar float texcoord\nend_header\n" +
+                          points + "3 0 1 2\n3 0 2 3 6 .1 .2 .3 .4 .5 .6\n");
+  const auto texture = read_mesh(folder.path("c.ply")).properties.texture;
+  ASSERT_EQ(texture.of_corner.size(), 6u);
+  EXPECT_EQ(texture.of_corner[0], texture.none);
+  EXPECT_FLOAT_EQ(float(texture.at(3, {})[0]), 0.1f);
+}
+
+/// Channels are from 0 to 1 where one of all has a fraction.
+TEST_F(Mesh_properties_program, colors_of_off_have_one_unit)
+{
+  const std::string rest = "0 0 1\n1 0 0 1 0 0 1\n0 1 0 0 1 0 1\n3 0 1 2\n";
+  folder.write("a.off", "COFF\n3 1 0\n0 0 0 0.5 1 " + rest);
+  folder.write("b.off", "COFF\n3 1 0\n0 0 0 51 1 " + rest);
+  using Rgb = Mesh_properties::Rgb;
+  const auto colors = [&](const char* file) {
+    return read_mesh(folder.path(file)).properties.colors.values;
+  };
+  EXPECT_EQ(colors("a.off"), (std::vector<Rgb>{{0.5f, 1, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(colors("b.off")[0], (Rgb{51 / 255.f, 1 / 255.f, 0}));
+}
+
+/// Points at one place are one, their colors need not be.
+TEST_F(Mesh_properties_program, glb_keeps_colors_of_corners)
+{
+  nlohmann::json json = nlohmann::json::parse(sample::gltf_json(""));
+  std::string buffer = sample::gltf_buffer();
+  for (int c = 0; c < 2; ++c) // red for all points of one triangle, blue for those of another
+    for (int i = 0; i < 4; ++i)
+      for (float x : {1.f - float(c), 0.f, float(c)})
+        append_little_endian(buffer, x);
+  json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 72}, {"byteLength", 96}});
+  json["buffers"][0]["byteLength"] = buffer.size();
+  auto& primitives = json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  for (int c = 0; c < 2; ++c) {
+    json["accessors"].push_back({{"bufferView", 2},
+                                 {"byteOffset", 48 * c},
+                                 {"componentType", 5126},
+                                 {"count", 4},
+                                 {"type", "VEC3"}});
+    primitives[std::size_t(c)]["attributes"]["COLOR_0"] = 2 + c;
+  }
+  folder.write("a.glb", sample::glb(json.dump(), buffer));
+  ASSERT_EQ(run("a.glb --labels-from groups -o b.glb").err, "");
+  for (const char* file : {"a.glb", "b.glb"}) {
+    const Input_mesh input = read_mesh(folder.path(file));
+    std::map<Mesh_properties::Rgb, int> corners;
+    for (std::size_t i = 0; i < 24; ++i)
+      ++corners[input.properties.colors.at(i, {})];
+    EXPECT_EQ(corners, (std::map<Mesh_properties::Rgb, int>{{{1, 0, 0}, 12}, {{0, 0, 1}, 12}}));
+    EXPECT_EQ(input.soup.points.size(), 4u);
+  }
+}
+
+/// What is wrong with colors, textures and materials of glTF is told.
+TEST_F(Mesh_properties_program, glb_may_have_wrong_materials)
+{
+  for (
+    const char* wrong :
+    {R"("materials":[{}],"images":[5])", R"("materials":[{}],"images":[{"uri":5}])",
+     R"("materials":[{}],"images":[{"bufferView":9}])", R"("materials":[{"name":5}])",
+     R"("materials":[{}],"images":[{"bufferView":0},{"bufferView":1},{"bufferView":2}],"x":1)"}) {
+    std::string json = sample::with(sample::gltf_json(""), R"("POSITION":0)",
+                                    R"("POSITION":0,"COLOR_0":1,"TEXCOORD_0":7)");
+    json = sample::with(json, R"("meshes")", std::string(wrong) + R"(,"meshes")");
+    folder.write("a.glb", sample::glb(json));
+    const Outcome outcome = run("a.glb -k 1 -q -o b.glb -o b.obj");
+    EXPECT_EQ(outcome.status, 0) << wrong << outcome.err;
+    EXPECT_EQ(read_mesh(folder.path("a.glb")).remarks.size(), 1u) << wrong;
+    EXPECT_EQ(read_mesh(folder.path("b.glb")).soup.polygons.size(), 4u) << wrong;
+  }
 }
 
 } // namespace mesh_properties_test

@@ -83,12 +83,12 @@ Segmentation labels_of_sets(const Face_sets& sets)
 {
   Segmentation result = segmentation_from_labels(
     {sets.set_of_face.begin(), sets.set_of_face.end()});
-  std::vector<char> is_used(sets.names.size());
+  std::vector<char> is_used(sets.names->size());
   for (std::size_t set : sets.set_of_face)
     is_used[set] = true;
-  for (std::size_t set = 0; set < sets.names.size(); ++set)
+  for (std::size_t set = 0; set < is_used.size(); ++set)
     if (is_used[set])
-      result.names.push_back(sets.names[set]);
+      result.names.push_back((*sets.names)[set]);
   return result;
 }
 

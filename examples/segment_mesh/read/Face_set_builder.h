@@ -5,9 +5,9 @@
 
 #include "soup/Mesh_properties.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,45 +21,50 @@ public:
   /// The faces from `next_face` on are of the set of this name.
   void start(const std::string& name, std::size_t next_face)
   {
-    if (!m_starts.empty() && m_starts.back().second == next_face)
-      m_starts.pop_back(); // it has no face
-    m_starts.push_back({name.empty() ? unnamed : name, next_face});
+    const auto [set, is_new] = m_sets.emplace(name, m_names.size());
+    if (is_new)
+      m_names.push_back(name.empty() ? unnamed : name);
+    add(set->second, next_face);
   }
 
-  /// The same, of a set of its own: it gets a number if there is another one of this name.
+  /// The same, of a set of its own, whatever the names of others.
   void start_new(const std::string& name, std::size_t next_face)
   {
-    const std::size_t count = ++m_counts[name];
-    start(count == 1 ? name : (name.empty() ? unnamed : name) + "_" + std::to_string(count),
-          next_face);
+    m_names.push_back(name.empty() ? unnamed : name);
+    add(m_names.size() - 1, next_face);
   }
 
-  /// Empty if no set was named.
-  Face_sets build(std::size_t number_of_faces) const
+  /// Empty if no set was named. Faces before the first one are in that without a name.
+  Face_sets build(std::size_t number_of_faces)
   {
     Face_sets result;
     if (m_starts.empty())
       return result;
-    std::map<std::string, std::size_t> numbers;
-    const auto add = [&](const std::string& name, std::size_t end) {
-      if (end <= result.set_of_face.size())
-        return;
-      const auto [set, is_new] = numbers.emplace(name, result.names.size());
-      if (is_new)
-        result.names.push_back(name);
-      result.set_of_face.resize(end, Polygons::Index(set->second));
-    };
-    add(unnamed, m_starts.front().second);
+    if (m_starts.front().second > 0) {
+      start("", number_of_faces);
+      m_starts.insert(m_starts.begin(), {m_starts.back().first, 0});
+      m_starts.pop_back();
+    }
     for (std::size_t i = 0; i < m_starts.size(); ++i)
-      add(m_starts[i].first, i + 1 < m_starts.size() ? m_starts[i + 1].second : number_of_faces);
+      result.set_of_face.resize(i + 1 < m_starts.size() ? m_starts[i + 1].second : number_of_faces,
+                                Polygons::Index(m_starts[i].first));
+    result.names = std::make_shared<const std::vector<std::string>>(std::move(m_names));
     return result;
   }
 
 private:
   static inline const std::string unnamed = "unnamed";
 
-  std::vector<std::pair<std::string, std::size_t>> m_starts;
-  std::map<std::string, std::size_t> m_counts;
+  void add(std::size_t set, std::size_t next_face)
+  {
+    if (!m_starts.empty() && m_starts.back().second == next_face)
+      m_starts.pop_back(); // it has no face
+    m_starts.push_back({set, next_face});
+  }
+
+  std::vector<std::string> m_names;
+  std::map<std::string, std::size_t> m_sets;
+  std::vector<std::pair<std::size_t, std::size_t>> m_starts; // a set, and its next face
 };
 
 } // namespace segment_mesh

@@ -22,12 +22,10 @@ fs::path without_gz(const fs::path& file)
   return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
 }
 
-/// Of points with the same coordinates keeps the first, with its color; those that are kept stay in
-/// order.
-void merge_equal_points(Input_mesh& input)
+/// Of points with the same coordinates keeps the first; those that are kept stay in order.
+void merge_equal_points(Polygon_soup& soup)
 {
-  std::vector<Point>& points = input.soup.points;
-  std::vector<Mesh_properties::Rgb>& colors = input.properties.colors;
+  std::vector<Point>& points = soup.points;
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
@@ -44,15 +42,12 @@ void merge_equal_points(Input_mesh& input)
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (first[i] == i) {
       new_index[i] = size;
-      if (!colors.empty())
-        colors[size] = colors[i];
       points[size++] = points[i];
     } else
       new_index[i] = new_index[first[i]];
   }
   points.resize(size);
-  colors.resize(colors.empty() ? 0 : size);
-  input.soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
+  soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
 } // namespace
@@ -122,7 +117,7 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
   if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
   if (format == Mesh_format::STL || format == Mesh_format::GLTF)
-    merge_equal_points(input);
+    merge_equal_points(input.soup);
   return input;
 }
 

@@ -54,8 +54,12 @@ void Text_scanner::take_line()
   if (m_next > m_line_feed)
     m_line_feed = (std::min)(m_text.find('\n', m_next), m_text.size());
   m_line_number = m_next_line_number++;
-  if (m_comment != no_comments)
-    m_line = m_line.substr(0, m_line.find(m_comment));
+  m_comment_of_line = {};
+  if (m_comment != no_comments) {
+    const std::size_t comment = (std::min)(m_line.find(m_comment), m_line.size());
+    m_comment_of_line = m_line.substr(comment);
+    m_line = m_line.substr(0, comment);
+  }
   m_goes_on = false;
   if (m_continuation == Continuation::BACKSLASH) {
     std::size_t size = m_line.size();
@@ -78,6 +82,19 @@ bool Text_scanner::next_line()
       return true;
   }
   return false;
+}
+
+std::string_view Text_scanner::rest_of_line()
+{
+  std::string_view rest = m_line;
+  if (!m_comment_of_line.empty()) // it follows in the text
+    rest = {m_line.data(), m_line.size() + m_comment_of_line.size()};
+  m_line = {};
+  while (!rest.empty() && is_blank(rest.front()))
+    rest.remove_prefix(1);
+  while (!rest.empty() && is_blank(rest.back()))
+    rest.remove_suffix(1);
+  return rest;
 }
 
 bool Text_scanner::has_word()

@@ -31,6 +31,9 @@ public:
   std::string_view word();
   /// The next word of this or a later line; empty at the end of the text.
   std::string_view word_of_any_line();
+  /// What is left of this line without blanks around it, a comment, too: a name may have the
+  /// character of comments.
+  std::string_view rest_of_line();
   bool has_word();
   void skip_line() { m_line = {}; }
 
@@ -61,7 +64,8 @@ private:
   char m_comment;
   Continuation m_continuation;
   std::string_view m_line; // what is left of this line
-  bool m_goes_on = false;  // this line, on the next one
+  std::string_view m_comment_of_line;
+  bool m_goes_on = false; // this line, on the next one
   std::size_t m_next;
   std::size_t m_line_feed; // the first one from m_next on, or the end of the text
   std::size_t m_line_number = 1, m_next_line_number = 1;

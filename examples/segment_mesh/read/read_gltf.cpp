@@ -14,11 +14,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -65,13 +68,18 @@ std::string from_uri(const std::string& uri)
   return result;
 }
 
+bool is_of_materials(const std::string& extension)
+{
+  const char* const starts[] = {"KHR_materials_", "KHR_texture_", "EXT_texture_"};
+  return std::any_of(std::begin(starts), std::end(starts),
+                     [&](const char* start) { return extension.rfind(start, 0) == 0; });
+}
+
 /// Whether an extension changes no triangle, or only lets positions be integers.
 bool is_harmless(const std::string& extension)
 {
-  const char* const starts[] = {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_",
-                                "EXT_texture_", "KHR_lights_"};
-  return std::any_of(std::begin(starts), std::end(starts),
-                     [&](const char* start) { return extension.rfind(start, 0) == 0; });
+  return is_of_materials(extension) || extension == "KHR_mesh_quantization" ||
+         extension.rfind("KHR_lights_", 0) == 0;
 }
 
 bool is_compression(const std::string& extension)
@@ -115,7 +123,7 @@ public:
       parse();
       read_header();
       read_nodes();
-      finish_properties();
+      finish_properties(m_input.remarks);
     } catch (const Json::out_of_range& error) {
       const std::string cause = error.what(); // "[json.exception.out_of_range.403] key 'x' not
                                               // found"
@@ -134,7 +142,13 @@ private:
   void parse()
   {
     try {
-      m_json = Json::parse(m_text.begin(), m_text.end());
+      const auto check_depth = [this](int depth, Json::parse_event_t, const Json&) {
+        constexpr int deepest = 1000; // more would exhaust the stack
+        if (depth > deepest)
+          fail("the text is nested too deeply");
+        return true;
+      };
+      m_json = Json::parse(m_text.begin(), m_text.end(), check_depth);
     } catch (const Json::parse_error& error) {
       const auto end = m_text.begin() + std::ptrdiff_t((std::min)(error.byte, m_text.size()));
       throw Input_error(m_file, 1 + std::size_t(std::count(m_text.begin(), end, '\n')),
@@ -369,69 +383,89 @@ private:
       corners.push_back(first + std::size_t(index));
     const std::size_t first_corner = m_soup.polygons.corners().size();
     add_triangles(corners, mode, to_world.linear().determinant() < 0);
-    add_properties(primitive, first, number_of_points, first_corner);
+    add_properties(primitive, first, first_corner);
   }
 
   /// Of the points from `first` on and the corners from `first_corner` on: what they have beside
-  /// positions.
-  void add_properties(const Json& primitive, std::size_t first, std::size_t number_of_points,
-                      std::size_t first_corner)
+  /// positions. What is wrong with it is no reason to refuse the mesh.
+  void add_properties(const Json& primitive, std::size_t first, std::size_t first_corner)
   {
     Mesh_properties& properties = m_input.properties;
-    const std::size_t number_of_materials = m_json.contains("materials")
-                                              ? m_json["materials"].size()
-                                              : 0;
-    properties.of(Set_kind::MATERIALS)
-      .set_of_face.resize(m_soup.polygons.size(),
-                          Polygons::Index(member(primitive, "material", number_of_materials)));
     const Json& attributes = primitive["attributes"];
-    if (attributes.contains("COLOR_0")) {
-      const Json& accessor = attributes["COLOR_0"];
-      const bool has_alpha = m_json.at("accessors").at(index(accessor, "an accessor")).at("type") ==
-                             "VEC4";
-      const std::size_t size = has_alpha ? 4 : 3;
-      const auto colors = values(accessor, has_alpha ? "VEC4" : "VEC3", size);
-      properties.colors.resize(first, {1, 1, 1});
-      for (std::size_t i = 0; i < colors.size() / size && i < number_of_points; ++i) {
-        auto& color = properties.colors.emplace_back();
-        for (std::size_t j = 0; j < 3; ++j)
-          color[j] = float(srgb_from_linear(colors[size * i + j]));
-      }
-    }
-    if (attributes.contains("TEXCOORD_0")) {
-      const auto texture = values(attributes["TEXCOORD_0"], "VEC2", 2);
-      const std::size_t start = properties.texture_points.size();
-      for (std::size_t i = 0; i + 1 < texture.size(); i += 2)
-        properties.texture_points.push_back({texture[i], 1 - texture[i + 1]}); // v is down in glTF
-      properties.texture_corners.resize(first_corner, Mesh_properties::no_texture);
-      const auto& corners = m_soup.polygons.corners();
-      for (std::size_t c = first_corner; c < corners.size(); ++c)
-        if (corners[c] - first < properties.texture_points.size() - start)
-          properties.texture_corners.push_back(Polygons::Index(start + corners[c] - first));
+    try {
+      m_materials.resize(m_soup.polygons.size(), member(primitive, "material", no_material));
+      if (attributes.contains("COLOR_0"))
+        for (const char* type : {"VEC3", "VEC4"})
+          add_values<3>(attributes["COLOR_0"], type, first, first_corner, properties.colors,
+                        [](double x) { return float(srgb_from_linear(x)); });
+      if (attributes.contains("TEXCOORD_0"))
+        add_values<2>(attributes["TEXCOORD_0"], "VEC2", first, first_corner, properties.texture,
+                      [](double x) { return x; });
+    } catch (const Input_error&) {
+      m_has_wrong_properties = true;
+    } catch (const Json::exception&) {
+      m_has_wrong_properties = true;
     }
   }
 
-  void finish_properties()
+  /// Of an accessor, if it is of this type: the first `Size` numbers of each of its elements.
+  template <std::size_t Size, typename Value, typename Convert>
+  void add_values(const Json& accessor, const std::string& type, std::size_t first,
+                  std::size_t first_corner, Corner_values<Value>& result, const Convert& convert)
+  {
+    if (element("accessors", index(accessor, "an accessor")).at("type") != type)
+      return;
+    const std::size_t step = std::size_t(type.back() - '0'), start = result.values.size();
+    const std::vector<double> numbers = values(accessor, type.c_str(), step);
+    for (std::size_t i = 0; i < numbers.size(); i += step) {
+      Value& value = result.values.emplace_back();
+      for (std::size_t j = 0; j < Size; ++j)
+        value[j] = convert(std::isfinite(numbers[i + j]) ? numbers[i + j] : 0);
+    }
+    const std::vector<Polygons::Index>& corners = m_soup.polygons.corners();
+    result.of_corner.resize(first_corner, result.none);
+    for (std::size_t c = first_corner; c < corners.size(); ++c) {
+      const std::size_t i = start + corners[c] - first;
+      result.of_corner.push_back(i < result.values.size() ? Polygons::Index(i) : result.none);
+    }
+  }
+
+  void finish_properties(Remarks& remarks)
   {
     Mesh_properties& properties = m_input.properties;
+    for (auto& point : properties.texture.values)
+      point[1] = 1 - point[1]; // v is down in glTF
+    const std::size_t number_of_corners = m_soup.polygons.corners().size();
+    if (!properties.texture.empty())
+      properties.texture.of_corner.resize(number_of_corners, properties.texture.none);
     if (!properties.colors.empty())
-      properties.colors.resize(m_soup.points.size(), {1, 1, 1});
-    if (!properties.texture_corners.empty())
-      properties.texture_corners.resize(m_soup.polygons.corners().size(),
-                                        Mesh_properties::no_texture);
+      properties.colors.of_corner.resize(number_of_corners, properties.colors.none);
     properties.of(Set_kind::GROUPS) = m_nodes.build(m_soup.polygons.size());
-    Face_sets& materials = properties.of(Set_kind::MATERIALS);
-    const Json all = list(m_json, "materials");
-    for (std::size_t i = 0; i < all.size(); ++i)
-      materials.names.push_back(all[i].value("name", "material_" + std::to_string(i)));
-    materials.names.push_back("unnamed");
-    if (!are_below({materials.set_of_face.begin(), materials.set_of_face.end()},
-                   materials.names.size()))
-      fail("a material that does not exist");
-    if (all.empty())
-      materials = {};
-    else
-      properties.library = std::make_shared<Material_library>(library());
+    try {
+      if (m_json.contains("materials") && !m_json["materials"].empty())
+        add_materials();
+    } catch (const Input_error&) {
+      m_has_wrong_properties = true;
+    } catch (const Json::exception&) {
+      m_has_wrong_properties = true;
+    }
+    if (m_has_wrong_properties)
+      remarks.push_back(
+        m_file + ": colors, texture coordinates or materials that are not as in glTF are left out");
+  }
+
+  void add_materials()
+  {
+    std::vector<std::string> names;
+    for (const Json& material : m_json["materials"])
+      names.push_back(material.value("name", "material_" + std::to_string(names.size())));
+    m_input.properties.library = std::make_shared<Material_library>(library());
+    Face_sets& materials = m_input.properties.of(Set_kind::MATERIALS);
+    m_materials.resize(m_soup.polygons.size(), no_material);
+    for (std::size_t material : m_materials)
+      materials.set_of_face.push_back(Polygons::Index((std::min)(material, names.size())));
+    names.push_back("unnamed");
+    materials.names = std::make_shared<const std::vector<std::string>>(std::move(names));
   }
 
   /// The materials, with the bytes of images that are in buffers.
@@ -439,25 +473,36 @@ private:
   {
     Material_library result;
     result.folder = fs::path(m_file).parent_path().string();
-    std::size_t size = 0, size_of_buffers = 0;
-    for (const std::string& buffer : m_buffers)
-      size_of_buffers += buffer.size();
     Json json;
-    for (const char* name : {"materials", "textures", "samplers", "images", "extensionsUsed"})
+    for (const char* name : {"materials", "textures", "samplers", "images"})
       if (m_json.contains(name))
         json[name] = m_json[name];
+    for (const char* name : {"extensionsUsed", "extensionsRequired"})
+      for (const Json& extension : list(m_json, name))
+        if (is_of_materials(extension))
+          json[name].push_back(extension);
+    std::size_t size = 0, most = 0;
+    for (const std::string& buffer : m_buffers)
+      most += buffer.size();
+    std::map<std::size_t, std::size_t> place_of_view;
     for (std::size_t i = 0; json.contains("images") && i < json["images"].size(); ++i) {
       Json& image = json["images"][i];
+      const std::string uri = image.value("uri", ""); // fails if it is no text
       if (!image.contains("bufferView"))
         continue;
-      const Json& view = m_json.at("bufferViews").at(member(image, "bufferView"));
-      const std::size_t buffer = member(view, "buffer");
+      const std::size_t index = image["bufferView"];
+      const auto [place, is_new] = place_of_view.emplace(index, result.images.size());
+      image["bufferView"] = place->second;
+      const Json& view = m_json.at("bufferViews").at(index);
+      const std::size_t buffer = view.at("buffer"),
+                        start = view.value("byteOffset", std::size_t(0));
       const std::string_view bytes = buffer < m_buffers.size() ? std::string_view(m_buffers[buffer])
                                                                : std::string_view();
-      const std::size_t start = (std::min)(member(view, "byteOffset", 0), bytes.size());
-      image["bufferView"] = result.images.size();
-      result.images.emplace_back(bytes.substr(start, member(view, "byteLength")));
-      if ((size += result.images.back().size()) > size_of_buffers)
+      if (!is_new)
+        continue;
+      result.images.emplace_back(
+        bytes.substr((std::min)(start, bytes.size()), view.at("byteLength")));
+      if ((size += result.images.back().size()) > most)
         fail("images that overlap");
     }
     result.gltf = json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -552,6 +597,7 @@ private:
   /// Many nodes may show one mesh, as of a screw; what is repeated more often was made to exhaust
   /// the memory.
   static constexpr std::size_t most_numbers_per_byte = 30;
+  static constexpr std::size_t no_material = std::size_t(-1);
   static constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 
   const std::string& m_file;
@@ -564,6 +610,8 @@ private:
   Input_mesh m_input;
   Polygon_soup& m_soup = m_input.soup;
   Face_set_builder m_nodes;
+  std::vector<std::size_t> m_materials; // of the faces
+  bool m_has_wrong_properties = false;
   std::size_t m_number_of_skipped = 0;
 };
 

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace segment_mesh {
@@ -30,7 +32,9 @@ public:
   Obj_reader(const std::string& file, std::string_view bytes)
     : m_file(file)
     , m_scan(file, bytes, '#', Text_scanner::Continuation::BACKSLASH)
-  {}
+  {
+    m_library.folder = std::filesystem::path(file).parent_path().string();
+  }
 
   Input_mesh read()
   {
@@ -43,11 +47,11 @@ public:
       else if (is_word(statement, "vt"))
         read_texture_point();
       else if (is_word(statement, "g") || is_word(statement, "o"))
-        m_groups.start(rest_of_line(), m_soup.polygons.size());
+        m_groups.start(std::string(m_scan.rest_of_line()), m_soup.polygons.size());
       else if (is_word(statement, "usemtl"))
-        m_materials.start(rest_of_line(), m_soup.polygons.size());
+        m_materials.start(std::string(m_scan.rest_of_line()), m_soup.polygons.size());
       else if (is_word(statement, "mtllib"))
-        m_library.files.push_back(rest_of_line());
+        add_library(std::string(m_scan.rest_of_line()));
       else if (std::none_of(std::begin(other_statements), std::end(other_statements),
                             [=](std::string_view other) { return is_word(statement, other); }))
         keep_unknown(statement);
@@ -94,25 +98,35 @@ private:
     const std::string_view words[] = {m_scan.word(), m_scan.word(), m_scan.word()};
     if (words[2].empty())
       return;
-    auto& colors = m_input.properties.colors;
-    colors.resize(m_soup.points.size(), {1, 1, 1});
+    auto& colors = m_input.properties.colors.values;
+    colors.resize(m_soup.points.size(), Mesh_properties::white);
     for (std::size_t i = 0; i < 3; ++i)
       colors.back()[i] = float(number_or_zero(words[i]));
   }
 
   void read_texture_point()
   {
-    auto& point = m_input.properties.texture_points.emplace_back();
+    auto& point = m_input.properties.texture.values.emplace_back();
     for (double& coordinate : point) // v is 0 where it is not given
       coordinate = number_or_zero(m_scan.word());
   }
 
-  std::string rest_of_line()
+  /// Names may have blanks, but a line may also have several names.
+  void add_library(const std::string& names)
   {
-    std::string text;
-    for (std::string_view word = m_scan.word(); !word.empty(); word = m_scan.word())
-      text += (text.empty() ? "" : " ") + std::string(word);
-    return text;
+    namespace fs = std::filesystem;
+    std::vector<std::string> files = {names};
+    std::error_code error;
+    if (names.find(' ') != std::string::npos &&
+        !fs::exists(fs::path(m_library.folder) / names, error)) {
+      std::istringstream in(names);
+      const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
+      if (fs::exists(fs::path(m_library.folder) / words[0], error))
+        files = words;
+    }
+    for (const std::string& file : files)
+      if (std::find(m_library.files.begin(), m_library.files.end(), file) == m_library.files.end())
+        m_library.files.push_back(file);
   }
 
   void read_face()
@@ -121,7 +135,8 @@ private:
     for (std::string_view corner = m_scan.word(); !corner.empty(); corner = m_scan.word()) {
       m_corners.push_back(
         from_zero(m_scan.integer(corner.substr(0, corner.find('/')), "an index of a vertex")));
-      m_input.properties.texture_corners.push_back(texture_of(corner));
+      if (corner.find('/') != std::string_view::npos)
+        add_texture(corner.substr(corner.find('/') + 1));
     }
     if (m_corners.size() < 3)
       m_scan.fail("a face with " + counted(m_corners.size(), "vertex") + ", fewer than 3");
@@ -142,31 +157,37 @@ private:
     return std::size_t(index < 0 ? number_of_vertices + index : index - 1);
   }
 
-  /// The texture point of a corner `v/vt/vn`, without a check whether it is there.
-  Polygons::Index texture_of(std::string_view corner) const
+  /// Of the last corner. `word`: its index, as those of points, and what follows it
+  void add_texture(std::string_view word)
   {
-    const std::size_t start = corner.find('/') + 1; // npos + 1 is 0
+    auto& texture = m_input.properties.texture;
+    const auto size = std::int64_t(texture.values.size());
     std::int64_t index = 0;
-    if (start > 0)
-      std::from_chars(corner.data() + start, corner.data() + corner.size(), index);
-    const auto size = std::int64_t(m_input.properties.texture_points.size());
-    return Polygons::Index(index < 0 ? size + index : index - 1); // of 0: `no_texture`
+    std::from_chars(word.data(), word.data() + word.size(), index);
+    index = index < 0 ? size + index : index - 1;
+    const std::size_t corner = m_soup.polygons.corners().size() + m_corners.size() - 1;
+    texture.of_corner.resize(corner, texture.none);
+    texture.of_corner.push_back(
+      index >= 0 && index < std::int64_t(texture.none) ? Polygons::Index(index) : texture.none);
   }
 
-  /// Texture points that are not there are none.
   void finish_properties()
   {
     Mesh_properties& properties = m_input.properties;
-    for (Polygons::Index& i : properties.texture_corners)
-      if (i >= properties.texture_points.size())
-        i = Mesh_properties::no_texture;
-    if (properties.texture_points.empty())
-      properties.texture_corners = {};
-    if (!properties.colors.empty())
-      properties.colors.resize(m_soup.points.size(), {1, 1, 1});
+    auto& texture = properties.texture;
+    for (Polygons::Index& i : texture.of_corner)
+      if (i >= texture.values.size())
+        i = texture.none;
+    if (!texture.values.empty())
+      texture.of_corner.resize(m_soup.polygons.corners().size(), texture.none);
+    else
+      texture.of_corner.clear();
+    if (!properties.colors.values.empty()) {
+      properties.colors.values.resize(m_soup.points.size(), Mesh_properties::white);
+      properties.colors.of_corner = m_soup.polygons.corners();
+    }
     properties.of(Set_kind::GROUPS) = m_groups.build(m_soup.polygons.size());
     properties.of(Set_kind::MATERIALS) = m_materials.build(m_soup.polygons.size());
-    m_library.folder = std::filesystem::path(m_file).parent_path().string();
     if (!m_library.files.empty())
       properties.library = std::make_shared<Material_library>(std::move(m_library));
   }

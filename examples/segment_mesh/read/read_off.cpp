@@ -100,7 +100,7 @@ public:
       soup.points.push_back(read_point());
       if (m_layout == Off_layout::ITEMS_ON_LINES) {
         if (m_header.has_colors)
-          input.properties.colors.push_back(read_color());
+          input.properties.colors.values.push_back(read_color());
         m_scan.skip_line();
       }
     }
@@ -116,10 +116,22 @@ public:
       input.remarks.push_back(m_scan.not_read() + ": the header promises " +
                               counted(number_of_faces, "face"));
     }
+    if (m_header.has_colors && m_layout == Off_layout::ITEMS_ON_LINES)
+      finish_colors(input);
     return input;
   }
 
 private:
+  /// Channels are from 0 to 1 if one of them has a fraction, else from 0 to 255.
+  void finish_colors(Input_mesh& input) const
+  {
+    auto& colors = input.properties.colors;
+    for (Mesh_properties::Rgb& color : colors.values)
+      for (float& channel : color)
+        channel /= m_has_fractions ? 1 : 255;
+    colors.of_corner = input.soup.polygons.corners();
+  }
+
   bool go_to_word() { return m_scan.has_word() || m_scan.next_line(); }
 
   void next_item(std::size_t item, std::size_t promised, const char* what)
@@ -159,18 +171,16 @@ private:
     return point;
   }
 
-  /// After coordinates and normal: from 0 to 1, or integers from 0 to 255; white if there is none.
+  /// After coordinates and normal; 0 where there is none.
   Mesh_properties::Rgb read_color()
   {
     for (int j = 0; m_header.has_normals && j < 3; ++j)
       m_scan.word();
-    Mesh_properties::Rgb color = {1, 1, 1};
+    Mesh_properties::Rgb color{};
     for (float& channel : color) {
       const std::string_view word = m_scan.word();
-      if (word.empty())
-        break;
-      const bool is_integer = word.find('.') == std::string_view::npos;
-      channel = float(number_or_zero(word) / (is_integer ? 255 : 1));
+      m_has_fractions |= word.find_first_of(".eE") != std::string_view::npos;
+      channel = float(number_or_zero(word));
     }
     return color;
   }
@@ -194,6 +204,7 @@ private:
   Text_scanner m_scan;
   const Off_header m_header;
   const Off_layout m_layout;
+  bool m_has_fractions = false; // of colors
 };
 
 } // namespace

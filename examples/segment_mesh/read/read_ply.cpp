@@ -9,8 +9,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace segment_mesh {
@@ -51,6 +53,7 @@ struct Ply_header
   std::size_t format; // 0: text; 1 and 2: binary, little and big endian
   std::vector<Ply_element> elements;
   std::uint64_t number_of_vertices = 0;
+  std::vector<std::string> textures; // files, of comments
 };
 
 /// The names of formats, in the order of their numbers.
@@ -178,7 +181,10 @@ Ply_header read_header(const std::string& file, Text_scanner& scan)
       elements.push_back(read_element(scan));
     else if (is_word(keyword, "property") && !elements.empty())
       elements.back().properties.push_back(read_property(scan, elements.back()));
-    else if (!is_word(keyword, "comment") && !is_word(keyword, "obj_info"))
+    else if (is_word(keyword, "comment")) {
+      if (is_word(scan.word(), "texturefile"))
+        header.textures.emplace_back(scan.rest_of_line());
+    } else if (!is_word(keyword, "obj_info"))
       scan.fail("unknown line of a PLY header: " + in_quotes(keyword));
   }
   const auto found = std::find_if(std::begin(formats), std::end(formats),
@@ -377,21 +383,21 @@ private:
     const auto& [x, y, z, red, green, blue, u, v] = m_values;
     m_soup.points.push_back({x, y, z});
     if (m_element->has(Ply_role::RED))
-      m_input.properties.colors.push_back({float(red), float(green), float(blue)});
+      m_input.properties.colors.values.push_back({float(red), float(green), float(blue)});
     if (m_element->has(Ply_role::U))
-      m_input.properties.texture_points.push_back({u, v});
+      m_input.properties.texture.values.push_back({u, v});
   }
 
   /// Of a face with texture coordinates: two numbers for each corner.
   void end_face()
   {
-    Mesh_properties& properties = m_input.properties;
-    const std::size_t corner = properties.texture_corners.size(),
-                      end = m_soup.polygons.corners().size();
-    properties.texture_corners.resize(end, Mesh_properties::no_texture);
-    for (std::size_t i = 0; corner + i < end && 2 * i + 1 < m_texture.size(); ++i) {
-      properties.texture_corners[corner + i] = Polygons::Index(properties.texture_points.size());
-      properties.texture_points.push_back({m_texture[2 * i], m_texture[2 * i + 1]});
+    auto& [values, of_corner] = m_input.properties.texture;
+    const std::size_t end = m_soup.polygons.corners().size(),
+                      size = m_soup.polygons[m_soup.polygons.size() - 1].size();
+    of_corner.resize(end, Corner_values<double>::none);
+    for (std::size_t i = 0; i < size && 2 * i + 1 < m_texture.size(); ++i) {
+      of_corner[end - size + i] = Polygons::Index(values.size());
+      values.push_back({m_texture[2 * i], m_texture[2 * i + 1]});
     }
     m_texture.clear();
   }
@@ -399,16 +405,17 @@ private:
   /// Texture coordinates of vertices are those of their corners, unless faces have some.
   void finish_properties()
   {
-    Mesh_properties& properties = m_input.properties;
+    auto& [sets, colors, texture, library] = m_input.properties;
     const std::vector<Polygons::Index>& corners = m_soup.polygons.corners();
-    if (properties.colors.size() != m_soup.points.size())
-      properties.colors.clear();
-    if (!properties.texture_corners.empty())
-      properties.texture_corners.resize(corners.size(), Mesh_properties::no_texture);
-    else if (properties.texture_points.size() == m_soup.points.size())
-      properties.texture_corners = corners;
-    else
-      properties.texture_points.clear();
+    if (colors.values.size() == m_soup.points.size())
+      colors.of_corner = corners;
+    if (!texture.empty())
+      texture.of_corner.resize(corners.size(), texture.none);
+    else if (texture.values.size() == m_soup.points.size())
+      texture.of_corner = corners;
+    if (!m_header.textures.empty())
+      library = std::make_shared<Material_library>(Material_library{
+        std::filesystem::path(m_file).parent_path().string(), m_header.textures, {}, {}});
   }
 
   void read_face(Number_type type, std::int64_t size)

@@ -20,8 +20,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <iomanip>
@@ -140,18 +138,17 @@ RS::Surface surface_of(const Polygon_soup& soup, const Segmentation_settings& se
 
 std::string clean_name(const std::string& name)
 {
-  std::string result = name;
-  for (char& c : result) {
-    const bool is_ascii = static_cast<unsigned char>(c) < 128;
-    if (is_ascii && !std::isalnum(static_cast<unsigned char>(c)) &&
-        std::string_view("_.+-").find(c) == std::string_view::npos)
-      c = '_';
+  constexpr std::size_t longest = 100; // gmsh cannot read longer names
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 && byte < 0xc0)
+      continue; // of UTF-8, within a character
+    const bool stays = byte < 0x80 && (std::isalnum(byte) ||
+                                       std::string_view("_.+-").find(c) != std::string_view::npos);
+    result += stays ? c : '_';
   }
-  if (!nlohmann::json::accept('"' + result + '"')) // not UTF-8
-    std::replace_if(
-      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) >= 128; },
-      '_');
-  return result;
+  return result.substr(0, longest);
 }
 
 const char* name_of(RS::Surface_kind kind)
@@ -394,9 +391,10 @@ std::vector<std::string> Segmentation_details::names() const
   std::vector<std::string> result;
   std::set<std::string> used;
   for (const std::string& name : m_segmentation.names) {
-    const std::string clean = clean_name(name);
-    const bool is_new = used.insert(clean).second;
-    result.push_back(is_new ? clean : clean + "_" + std::to_string(result.size()));
+    std::string unique = clean_name(name);
+    for (int number = 2; !used.insert(unique).second; ++number)
+      unique = clean_name(name) + "_" + std::to_string(number);
+    result.push_back(unique);
   }
   while (result.size() < m_segmentation.number_of_segments)
     result.push_back(name_of_segment(result.size()));

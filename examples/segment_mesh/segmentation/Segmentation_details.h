@@ -40,8 +40,8 @@ inline std::string name_of_segment(std::size_t segment)
   return "segment_" + std::to_string(std::int64_t(segment));
 }
 
-/// A name as all formats can have it: with `_` in place of what is not a letter, a digit, or one of
-/// `_ . + -`; other characters than those of ASCII stay if the name is in UTF-8.
+/// A name as all formats and their readers can have it: with `_` in place of each character that is
+/// not a letter of ASCII, a digit, or one of `_ . + -`; at most 100 characters.
 std::string clean_name(const std::string& name);
 
 /// "plane" and so on.

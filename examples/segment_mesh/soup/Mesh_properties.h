@@ -21,20 +21,48 @@ enum class Set_kind { GROUPS, MATERIALS, SOLIDS };
 /// The names of the kinds, in their order.
 constexpr const char* set_kind_names[] = {"groups", "materials", "solids"};
 
-/// Sets that share out the faces of a mesh, with their names in the file. A set may be empty.
+/// Sets that share out the faces of a mesh, with their names in the file. A set may be empty, and
+/// two may have the same name.
 struct Face_sets
 {
-  std::vector<std::string> names;
+  std::shared_ptr<const std::vector<std::string>> names; ///< null if there are no sets
   std::vector<Polygons::Index> set_of_face;
 
   bool empty() const { return set_of_face.empty(); }
+  const std::string& name(std::size_t face) const { return (*names)[set_of_face[face]]; }
+};
+
+/// Values at the corners of polygons.
+template <typename Value>
+struct Corner_values
+{
+  static constexpr Polygons::Index none = Polygons::Index(-1);
+
+  std::vector<Value> values;
+  std::vector<Polygons::Index> of_corner; ///< its place in `values`, or `none`
+
+  bool empty() const { return of_corner.empty(); }
+
+  Value at(std::size_t corner, const Value& otherwise) const
+  {
+    return of_corner[corner] == none ? otherwise : values[of_corner[corner]];
+  }
+
+  /// Of each point, that at its first corner. \pre not empty
+  std::vector<Value> of_points(const Polygon_soup& soup, const Value& otherwise) const
+  {
+    std::vector<Value> result(soup.points.size(), otherwise);
+    for (std::size_t corner = of_corner.size(); corner-- > 0;)
+      result[soup.polygons.corners()[corner]] = at(corner, otherwise);
+    return result;
+  }
 };
 
 /// The materials themselves, as their file has them.
 struct Material_library
 {
   std::string folder;              ///< of the file, which names of files start from
-  std::vector<std::string> files;  ///< of OBJ: the .mtl files
+  std::vector<std::string> files;  ///< of OBJ the .mtl files, of PLY the images of textures
   std::string gltf;                ///< of glTF: `materials` and what they refer to, as JSON; an
                                    ///< image's `bufferView` is its place in `images`
   std::vector<std::string> images; ///< bytes
@@ -46,12 +74,11 @@ struct Mesh_properties
   using Texture_point = std::array<double, 2>;
   using Rgb = std::array<float, 3>;
 
-  static constexpr Polygons::Index no_texture = Polygons::Index(-1);
+  static constexpr Rgb white = {1, 1, 1};
 
   std::array<Face_sets, 3> sets;                   ///< by `Set_kind`
-  std::vector<Rgb> colors;                         ///< of the points, from 0 to 1, in sRGB
-  std::vector<Texture_point> texture_points;       ///< u to the right, v up
-  std::vector<Polygons::Index> texture_corners;    ///< the texture point of each corner
+  Corner_values<Rgb> colors;                       ///< from 0 to 1, in sRGB
+  Corner_values<Texture_point> texture;            ///< u to the right, v up
   std::shared_ptr<const Material_library> library; ///< null if there is none
 
   const Face_sets& of(Set_kind kind) const { return sets[std::size_t(kind)]; }
@@ -65,13 +92,6 @@ struct Mesh_properties
       if (!sets[i].empty())
         result.push_back(Set_kind(i));
     return result;
-  }
-
-  /// Of a corner; (0, 0) where it has none. \pre corners have texture points
-  Texture_point texture_point(std::size_t corner) const
-  {
-    const Polygons::Index i = texture_corners[corner];
-    return i == no_texture ? Texture_point{0, 0} : texture_points[i];
   }
 };
 

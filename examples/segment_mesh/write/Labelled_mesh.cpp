@@ -23,12 +23,49 @@ std::size_t place_of(std::size_t number, const std::vector<std::size_t>& sorted)
   return std::size_t(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
 }
 
+/// Of the corners of some faces.
+template <typename Value>
+Corner_values<Value> extract_values(const Corner_values<Value>& all, const Polygons& polygons,
+                                    const std::vector<std::size_t>& faces)
+{
+  Corner_values<Value> result;
+  if (all.empty())
+    return result;
+  std::vector<std::size_t> used;
+  for (std::size_t f : faces)
+    for (std::size_t i = 0, first = first_corner(polygons, f); i < polygons[f].size(); ++i) {
+      const Polygons::Index place = all.of_corner[first + i];
+      result.of_corner.push_back(place);
+      if (place != all.none)
+        used.push_back(place);
+    }
+  make_unique(used);
+  for (std::size_t place : used)
+    result.values.push_back(all.values[place]);
+  for (Polygons::Index& place : result.of_corner)
+    if (place != all.none)
+      place = Polygons::Index(place_of(place, used));
+  return result;
+}
+
 } // namespace
+
+std::size_t first_corner(const Polygons& polygons, std::size_t f)
+{
+  return std::size_t(polygons[f].begin() - polygons.corners().data());
+}
 
 std::string singular(Set_kind kind)
 {
   const std::string name = set_kind_names[std::size_t(kind)];
   return name.substr(0, name.size() - 1);
+}
+
+std::vector<Mesh_properties::Rgb> colors_of_points(const Labelled_mesh& mesh)
+{
+  const auto& colors = mesh.properties.colors;
+  return colors.empty() ? std::vector<Mesh_properties::Rgb>()
+                        : colors.of_points(mesh.soup, Mesh_properties::white);
 }
 
 Color bytes_of(const Mesh_properties::Rgb& color)
@@ -43,9 +80,10 @@ Color bytes_of(const Mesh_properties::Rgb& color)
 std::string relative_name(const std::string& from, const std::string& name, const std::string& to)
 {
   namespace fs = std::filesystem;
-  return fs::absolute(fs::path(from) / name)
-    .lexically_proximate(fs::absolute(fs::path(to) / "."))
-    .generic_string();
+  const auto absolute = [](const std::string& folder) {
+    return fs::weakly_canonical(fs::absolute(fs::path(folder) / "."));
+  };
+  return (absolute(from) / name).lexically_proximate(absolute(to)).generic_string();
 }
 
 std::vector<std::vector<std::size_t>>
@@ -64,38 +102,25 @@ Mesh_part extract_faces(const Labelled_mesh& mesh, const std::vector<std::size_t
 {
   const Mesh_properties& properties = mesh.properties;
   Mesh_part part;
-  part.properties.library = properties.library;
-  std::vector<std::size_t> points, texture_points;
+  std::vector<std::size_t> points;
   for (std::size_t f : faces) {
     const Polygon_soup::Polygon& polygon = mesh.soup.polygons[f];
     part.soup.polygons.push_back(polygon);
     points.insert(points.end(), polygon.begin(), polygon.end());
-    const std::size_t first = std::size_t(polygon.begin() - mesh.soup.polygons.corners().data());
-    if (!properties.texture_corners.empty())
-      for (std::size_t i = first; i < first + polygon.size(); ++i)
-        part.properties.texture_corners.push_back(properties.texture_corners[i]);
   }
+  make_unique(points);
+  for (std::size_t i : points)
+    part.soup.points.push_back(mesh.soup.points[i]);
+  part.soup.polygons.renumber([&](std::size_t i) { return place_of(i, points); });
+
+  part.properties.library = properties.library;
+  part.properties.colors = extract_values(properties.colors, mesh.soup.polygons, faces);
+  part.properties.texture = extract_values(properties.texture, mesh.soup.polygons, faces);
   for (Set_kind kind : properties.kinds()) {
     part.properties.of(kind).names = properties.of(kind).names;
     for (std::size_t f : faces)
       part.properties.of(kind).set_of_face.push_back(properties.of(kind).set_of_face[f]);
   }
-  make_unique(points);
-  for (std::size_t i : points) {
-    part.soup.points.push_back(mesh.soup.points[i]);
-    if (!properties.colors.empty())
-      part.properties.colors.push_back(properties.colors[i]);
-  }
-  part.soup.polygons.renumber([&](std::size_t i) { return place_of(i, points); });
-  for (Polygons::Index i : part.properties.texture_corners)
-    if (i != Mesh_properties::no_texture)
-      texture_points.push_back(i);
-  make_unique(texture_points);
-  for (std::size_t i : texture_points)
-    part.properties.texture_points.push_back(properties.texture_points[i]);
-  for (Polygons::Index& i : part.properties.texture_corners)
-    if (i != Mesh_properties::no_texture)
-      i = Polygons::Index(place_of(i, texture_points));
   return part;
 }
 

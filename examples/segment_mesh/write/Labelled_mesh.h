@@ -35,6 +35,9 @@ struct Labelled_mesh
 std::vector<std::vector<std::size_t>>
 faces_of_segments(const std::vector<std::size_t>& segment_of_face);
 
+/// Of a polygon, among all corners.
+std::size_t first_corner(const Polygons& polygons, std::size_t f);
+
 /// A part of a mesh.
 struct Mesh_part
 {
@@ -63,11 +66,14 @@ struct Segment_triangles
 /// All segments with a face of at least three different points.
 std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh);
 
-/// The name of a file that is given from one folder, as seen from another one.
+/// The name of a file that is given from one folder, as seen from another one; links are followed.
 std::string relative_name(const std::string& from, const std::string& name, const std::string& to);
 
 /// "group", "material", "solid".
 std::string singular(Set_kind kind);
+
+/// Empty if there are none.
+std::vector<Mesh_properties::Rgb> colors_of_points(const Labelled_mesh& mesh);
 
 /// From 0 to 255.
 Color bytes_of(const Mesh_properties::Rgb& color);

@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,7 +27,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A vertex of glTF is a point with one normal and one texture point.
+/// With vertices of glTF.
 struct Shaded_triangles
 {
   std::vector<Point> points, normals, colors;
@@ -70,44 +72,65 @@ private:
   std::vector<std::vector<std::size_t>> m_triangles_of_point;
 };
 
-/// Of the corner of a face that has the point.
-Mesh_properties::Texture_point texture_at(const Mesh_part& part, std::size_t face,
-                                          std::size_t point)
+/// A vertex of glTF: a point with one normal, texture point and color.
+using Vertex = std::tuple<Polygons::Index, Point, Mesh_properties::Texture_point,
+                          Mesh_properties::Rgb>;
+
+/// Of the first corner of a face that has the point.
+template <typename Value>
+Value value_at(const Corner_values<Value>& values, const Polygons& polygons, std::size_t face,
+               std::size_t point, const Value& otherwise)
 {
-  if (part.properties.texture_corners.empty())
-    return {0, 0};
-  const Polygon_soup::Polygon& polygon = part.soup.polygons[face];
-  const auto corner = std::find(polygon.begin(), polygon.end(), point);
-  const auto [u, v] = part.properties.texture_point(
-    std::size_t(corner - part.soup.polygons.corners().data()));
-  return {u, 1 - v};
+  if (values.empty())
+    return otherwise;
+  const Polygon_soup::Polygon& polygon = polygons[face];
+  return values.at(
+    first_corner(polygons, face) +
+      std::size_t(std::find(polygon.begin(), polygon.end(), point) - polygon.begin()),
+    otherwise);
 }
 
 Shaded_triangles shade(const Segment_triangles& segment)
 {
   const Normals normals(segment);
-  const std::vector<Mesh_properties::Rgb>& colors = segment.part.properties.colors;
+  const auto& [soup, properties] = segment.part;
   Shaded_triangles result;
-  std::map<std::tuple<Polygons::Index, Point, Mesh_properties::Texture_point>, Polygons::Index>
-    vertices;
+  std::map<Vertex, Polygons::Index> vertices;
   for (std::size_t t = 0; t < segment.triangles.size(); ++t) {
+    const std::size_t face = segment.face_of_triangle[t];
     auto& triangle = result.triangles.emplace_back(segment.triangles[t]);
     for (Polygons::Index& i : triangle) {
       const Point normal = normals.at(t, i);
-      const auto texture = texture_at(segment.part, segment.face_of_triangle[t], i);
-      const auto [vertex, is_new] = vertices.emplace(std::tuple(i, normal, texture),
+      const auto texture = value_at(properties.texture, soup.polygons, face, i, {});
+      const auto color = value_at(properties.colors, soup.polygons, face, i,
+                                  Mesh_properties::white);
+      const auto [vertex, is_new] = vertices.emplace(Vertex(i, normal, texture, color),
                                                      Polygons::Index(result.points.size()));
       if (is_new) {
-        result.points.push_back(segment.part.soup.points[i]);
+        result.points.push_back(soup.points[i]);
         result.normals.push_back(normal);
-        result.texture.push_back(texture);
-        if (!colors.empty())
-          result.colors.push_back({linear_from_srgb(colors[i][0]), linear_from_srgb(colors[i][1]),
-                                   linear_from_srgb(colors[i][2])});
+        result.texture.push_back({texture[0], 1 - texture[1]});
+        result.colors.push_back(
+          {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])});
       }
       i = vertex->second;
     }
   }
+  return result;
+}
+
+/// With `%20` for a blank, and so for all that may not be in the path of a URI.
+std::string to_uri(const std::string& path)
+{
+  std::string result;
+  for (const char c : path)
+    if (std::isalnum(static_cast<unsigned char>(c)) ||
+        std::string_view("/._-~").find(c) != std::string_view::npos)
+      result += c;
+    else
+      for (int digit :
+           {static_cast<unsigned char>(c) / 16 + 16, static_cast<unsigned char>(c) % 16})
+        result += std::string(digit < 16 ? "" : "%") + "0123456789ABCDEF"[digit % 16];
   return result;
 }
 
@@ -122,13 +145,19 @@ public:
     const Material_library& library = *properties.library;
     m_json.update(ordered_json::parse(library.gltf));
     m_number_of_materials = m_json["materials"].size();
-    for (std::size_t i = 0; m_json.contains("images") && i < m_json["images"].size(); ++i) {
-      ordered_json& image = m_json["images"][i];
+    if (!m_json.contains("images"))
+      return;
+    std::vector<std::size_t> views;
+    for (const std::string& image : library.images)
+      views.push_back(add_view(image));
+    std::string start = relative_name(library.folder, "x", folder);
+    start = to_uri(start.substr(0, start.size() - 1)); // to the folder of the input
+    for (ordered_json& image : m_json["images"])
       if (image.contains("bufferView"))
-        image["bufferView"] = add_view(library.images[image["bufferView"]]);
-      else if (const std::string uri = image.value("uri", ""); uri.rfind("data:", 0) != 0)
-        image["uri"] = relative_name(library.folder, uri, folder);
-    }
+        image["bufferView"] = views[image["bufferView"]];
+      else if (const std::string uri = image.value("uri", "");
+               !uri.empty() && uri.find(':') == std::string::npos)
+        image["uri"] = start + uri; // of a file, and not of data or of another place
   }
 
   void add(const Segment_triangles& segment)
@@ -137,7 +166,7 @@ public:
     const Shaded_triangles shaded = shade(segment);
     ordered_json attributes = {{"POSITION", add_vectors<3>(shaded.points)},
                                {"NORMAL", add_vectors<3>(shaded.normals)}};
-    if (!properties.texture_corners.empty())
+    if (!properties.texture.empty())
       attributes["TEXCOORD_0"] = add_vectors<2>(shaded.texture);
     if (!properties.colors.empty())
       attributes["COLOR_0"] = add_vectors<3>(shaded.colors);

@@ -4,6 +4,7 @@
 #include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,29 +22,31 @@ std::string obj_statements(const Labelled_mesh& mesh, std::size_t face)
 {
   const Mesh_properties& properties = mesh.properties;
   const std::string segment = mesh.name(mesh.segment_of_face[face]);
-  const auto name = [&](Set_kind kind) {
-    const Face_sets& sets = properties.of(kind);
-    return sets.empty() ? "" : sets.names[sets.set_of_face[face]];
-  };
   std::string group = segment;
-  for (Set_kind kind : {Set_kind::GROUPS, Set_kind::SOLIDS})
-    if (const std::string other = clean_name(name(kind)); !other.empty() && other != segment)
-      group += " " + other;
-  const std::string material = has_obj_materials(properties) ? name(Set_kind::MATERIALS) : segment;
+  for (Set_kind kind : properties.kinds()) {
+    std::string name = properties.of(kind).name(face);
+    std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c <= ' '; }, '_');
+    if (name != segment && !(kind == Set_kind::MATERIALS && has_obj_materials(properties)))
+      group += " " + name;
+  }
+  const std::string material = has_obj_materials(properties)
+                                 ? properties.of(Set_kind::MATERIALS).name(face)
+                                 : segment;
   return "g " + group + "\nusemtl " + one_line(material) + "\n";
 }
 
 /// Indices of points, from 1 on, with those of texture points where there are some.
 void write_obj_face(Text_buffer& text, const Labelled_mesh& mesh, std::size_t face)
 {
-  const std::vector<Polygons::Index>& texture = mesh.properties.texture_corners;
+  const auto& texture = mesh.properties.texture;
   const Polygon_soup::Polygon& polygon = mesh.soup.polygons[face];
-  const std::size_t first = std::size_t(polygon.begin() - mesh.soup.polygons.corners().data());
+  const std::size_t first = first_corner(mesh.soup.polygons, face);
   text << "f";
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     text << " " << polygon[i] + 1;
-    if (!texture.empty() && texture[first + i] != Mesh_properties::no_texture)
-      text << "/" << texture[first + i] + 1;
+    if (!texture.empty() && texture.of_corner[first + i] != texture.none)
+      text << "/" << texture.of_corner[first + i] + 1;
   }
   text << "\n";
 }
@@ -63,13 +66,14 @@ void write_obj(std::ostream& out, const Labelled_mesh& mesh,
   Text_buffer text(out);
   for (const std::string& library : libraries)
     text << "mtllib " << library << "\n";
+  const std::vector<Mesh_properties::Rgb> colors = colors_of_points(mesh);
   for (std::size_t i = 0; i < mesh.soup.points.size(); ++i) {
     write_numbers(text, "v ", mesh.soup.points[i]);
-    if (!properties.colors.empty())
-      write_numbers(text, " ", properties.colors[i]);
+    if (!colors.empty())
+      write_numbers(text, " ", colors[i]);
     text << "\n";
   }
-  for (const Mesh_properties::Texture_point& point : properties.texture_points) {
+  for (const Mesh_properties::Texture_point& point : properties.texture.values) {
     write_numbers(text, "vt ", point);
     text << "\n";
   }

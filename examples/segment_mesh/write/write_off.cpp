@@ -11,7 +11,7 @@ namespace segment_mesh {
 
 void write_off(std::ostream& out, const Labelled_mesh& mesh)
 {
-  const std::vector<Mesh_properties::Rgb>& colors = mesh.properties.colors;
+  const std::vector<Mesh_properties::Rgb> colors = colors_of_points(mesh);
   Text_buffer text(out);
   text << (colors.empty() ? "OFF\n" : "COFF\n") << mesh.soup.points.size() << " "
        << mesh.soup.polygons.size() << " 0\n";

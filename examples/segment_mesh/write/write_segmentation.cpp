@@ -55,7 +55,7 @@ std::string folder_of(const Output& output)
 }
 
 /// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
-/// `materials`: the names of the files of those of .obj
+/// `materials`: the names of the files of those of .obj, of images of .ply
 void write_segments(std::ostream& out, const Output& output, const Result& result,
                     const Labelled_mesh& mesh, const std::vector<std::string>& materials)
 {
@@ -63,7 +63,7 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
   case Output_format::SEG:
     return write_seg(out, result);
   case Output_format::PLY:
-    return write_ply(out, mesh);
+    return write_ply(out, mesh, materials);
   case Output_format::OFF:
     return write_off(out, mesh);
   case Output_format::OBJ:
@@ -108,17 +108,35 @@ void write_stream(std::ostream& out, Compression compression, const Write& write
   out.write(compressed.data(), std::streamsize(compressed.size()));
 }
 
+/// The names of the files of materials of the input, as seen from an output.
+std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
+{
+  std::vector<std::string> names;
+  if (properties.library)
+    for (const std::string& name : properties.library->files)
+      names.push_back(one_line(relative_name(properties.library->folder, name, folder_of(output))));
+  return names;
+}
+
+/// \throws Output_error if the materials of segments would take the place of those of the input
+void check_library(const std::string& library, const Output& output, const Result& result)
+{
+  const std::string name = relative_name("", library, folder_of(output));
+  for (const std::string& file : files_of_input(output, result.input.properties))
+    if (name == file)
+      throw Output_error(output.file, "its .mtl would replace the materials of the input");
+}
+
 /// A file, of .obj with its materials. `mesh` as of `write_segments()`
 void write_file(const Output& output, const Result& result, const Labelled_mesh& mesh)
 {
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
   std::vector<std::string> names;
-  if (has_obj_materials(mesh.properties)) {
-    for (const std::string& name : mesh.properties.library->files)
-      names.push_back(
-        one_line(relative_name(mesh.properties.library->folder, name, folder_of(output))));
+  if (output.format == Output_format::PLY || has_obj_materials(mesh.properties)) {
+    names = files_of_input(output, mesh.properties);
   } else if (const std::string library = material_library(output); !library.empty()) {
+    check_library(library, output, result);
     materials.emplace(library);
     write_mtl(materials->stream(), mesh);
     names.push_back(one_line(std::filesystem::path(library).filename().string()));
