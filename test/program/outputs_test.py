@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """outputs_test.py PROGRAM READER: what segment_mesh writes, read by another program: as many parts as segments, with the areas
 that they have by the .seg file and the mesh. READER is assimp, vtk, prusa-slicer or painted (by prusa-slicer), of the Debian
-packages assimp-utils, python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a format, the test is
-skipped."""
+packages assimp-utils, python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a
+format, the test is skipped."""
 
 import csv
 import json
@@ -251,7 +251,7 @@ def check_painted(case):
     scale = 60 / (high - low).max()
     options = {"nozzle-diameter": 0.4, "filament-diameter": 1.75, "temperature": 200, "first-layer-temperature": 200}
     run_slicer(case, "--export-gcode", "--scale", str(scale), "--center", "0,0", "--skirts", "0", "-o", "painted.gcode",
-          *(f"--{name}={','.join([str(value)] * 15)}" for name, value in options.items()), "painted.3mf")
+               *(f"--{name}={','.join([str(value)] * 15)}" for name, value in options.items()), "painted.3mf")
     position, tool, used, outer, lines = numpy.zeros(3), 0, set(), False, []
     for line in (case.folder / "painted.gcode").read_text().split("\n"):
         if re.match(r"T\d", line):
@@ -283,6 +283,7 @@ def check_csv(case):
     case.write("a.csv")
     with open(case.folder / "a.csv", newline="") as file:
         rows = list(csv.DictReader(file))
+    assert [row["name"] for row in rows] == case.names
     assert [row["segment"] for row in rows] == [str(i) for i in range(len(case.areas))]
     assert [int(row["faces"]) for row in rows] == list(numpy.bincount(case.labels))
     case.expect([float(row["area"]) for row in rows])
