@@ -19,3 +19,4 @@ EndIf
 Surface Loop(1) = Surface{:}; // of one solid, with its cavities
 Volume(1) = {1};
 Physical Volume("volume") = {1};
+Mesh.SaveGroupsOfNodes = 1; // in .inp and .unv files

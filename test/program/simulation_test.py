@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """simulation_test.py PROGRAM READER EXAMPLES: the segments of segment_mesh in the tools of simulation: groups, sets and patches
 of the names and areas of the segments, on surfaces and on volume meshes by EXAMPLES/pipelines/volume_mesh.geo. READER is gmsh,
-abaqus (what gmsh writes for it), meshio or openfoam, of the Debian packages gmsh with python3-gmsh, python3-meshio and openfoam.
-Without it the test is skipped."""
+abaqus (what gmsh writes for it), calculix, meshio or openfoam, of the Debian packages gmsh with python3-gmsh, calculix-ccx,
+python3-meshio and openfoam. Without it the test is skipped."""
 
 import os
 import pathlib
@@ -104,9 +104,9 @@ def check_meshio(case):
 
 def check_abaqus(case):
     """The file that gmsh writes, read by the rules of Abaqus: points, elements, and numbers of elements and points of sets."""
-    make_volume_mesh(case, "volume.inp", "-setnumber", "Mesh.SaveGroupsOfNodes", "1")
+    make_volume_mesh(case, "part.inp")
     items = {"NODE": {}, "ELEMENT": {}, "ELSET": {}, "NSET": {}}
-    text = re.sub(r"^\*\*.*\n", "", (case.folder / "volume.inp").read_text(), flags=re.MULTILINE)
+    text = re.sub(r"^\*\*.*\n", "", (case.folder / "part.inp").read_text(), flags=re.MULTILINE)
     for block in re.split(r"^\*", text, flags=re.MULTILINE)[1:]:
         keyword, data = block.split("\n", 1)
         keyword, *options = keyword.split(",")
@@ -122,6 +122,37 @@ def check_abaqus(case):
     found = {name: numpy.array([[points[c] for c in corners] for corners in elements]) for name, elements in corners_of.items()}
     numpy.testing.assert_allclose(volume_of_tetrahedra(found.pop("volume")), case.volume, rtol=1e-6)
     expect({name: area(triangles) for name, triangles in found.items()}, case.area_of_name)
+
+
+def check_calculix(case):
+    """The block, lengthened by a tenth along each axis: each of two opposite sides has the force that strain and area give."""
+    if case.curved:
+        return
+    make_volume_mesh(case, "part.inp", "-setnumber", "size", str(case.size))
+    manual = (case.examples / ".." / "doc" / "Region_segmentation" / "Program.txt").read_text()
+    subprocess.run(re.search(r"^awk .*part_solid.inp$", manual, re.MULTILINE)[0], shell=True, cwd=case.folder, check=True)
+    points = numpy.array(case.points)
+    sides = {name: points[case.faces[label]] for label, name in enumerate(case.names)} # a face each
+    young = 1000
+    lines = ["*INCLUDE, INPUT=part_solid.inp", "*MATERIAL, NAME=elastic", "*ELASTIC", f"{young}, 0",
+             "*SOLID SECTION, ELSET=volume, MATERIAL=elastic", "*STEP", "*STATIC", "*BOUNDARY"]
+    forces = {}
+    for name, corners in sides.items():
+        axis, = numpy.flatnonzero(numpy.ptp(corners, axis=0) == 0)
+        at = corners[0, axis]
+        lines.append(f"{name}, {axis + 1}, {axis + 1}, {0.1 * at}")
+        force = numpy.zeros(3)
+        force[axis] = 0.1 * young * case.area_of_name[name] * (1 if at == points[:, axis].max() else -1)
+        forces[name] = force
+    for name in sides:
+        lines += [f"*NODE PRINT, NSET={name}, TOTALS=ONLY", "RF"]
+    (case.folder / "run.inp").write_text("\n".join(lines + ["*END STEP", ""]))
+    subprocess.run(["ccx", "run"], cwd=case.folder, check=True, stdout=subprocess.DEVNULL)
+    report = (case.folder / "run.dat").read_text()
+    for name, force in forces.items():
+        numbers = re.search(rf"for set {name.upper()} .*\n\s*\n(.*)\n", report)[1]
+        axis = abs(force).argmax()
+        numpy.testing.assert_allclose(float(numbers.split()[axis]), force[axis], rtol=1e-4)
 
 
 def check_openfoam(case):
@@ -140,10 +171,11 @@ def check_openfoam(case):
 
 def main(program, reader, examples):
     examples = pathlib.Path(examples)
-    check = {"gmsh": check_gmsh, "abaqus": check_abaqus, "meshio": check_meshio, "openfoam": check_openfoam}[reader]
-    needed = "surfaceCheck" if reader == "openfoam" else "gmsh"
-    if not shutil.which(needed):
-        skip(f"no {needed}")
+    check = {"gmsh": check_gmsh, "abaqus": check_abaqus, "calculix": check_calculix, "meshio": check_meshio,
+             "openfoam": check_openfoam}[reader]
+    for needed in {"openfoam": ["surfaceCheck"], "calculix": ["ccx", "gmsh"]}.get(reader, ["gmsh"]):
+        if not shutil.which(needed):
+            skip(f"no {needed}")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "block.off").write_text(BLOCK)
@@ -154,7 +186,7 @@ def main(program, reader, examples):
             case.area_of_name = dict(zip(case.names, case.areas, strict=True))
             case.volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
             case.curved, case.size = mesh != "block.off", size
-            case.pipeline = str(examples / "pipelines" / "volume_mesh.geo")
+            case.examples, case.pipeline = examples, str(examples / "pipelines" / "volume_mesh.geo")
             case.write("a.msh")
             check(case)
 
