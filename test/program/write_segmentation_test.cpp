@@ -172,12 +172,12 @@ TEST(Write_mesh, msh_has_groups)
   soup.points = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {.1, 0, 1}};
   soup.polygons = {{1, 2, 3, 4}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {1, 1, 2}};
   std::ostringstream out;
-  write_msh(out, {soup, {1, 0, 0, std::size_t(-1), 0}, {"hole_0_r2", "top"}});
+  write_msh(out, {soup, {2, 0, 0, std::size_t(-1), 0}, {"hole_0_r2", "none", "top"}});
   EXPECT_EQ(out.str(), "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-                       "$PhysicalNames\n2\n2 1 \"hole_0_r2\"\n2 2 \"top\"\n$EndPhysicalNames\n"
+                       "$PhysicalNames\n2\n2 1 \"hole_0_r2\"\n2 3 \"top\"\n$EndPhysicalNames\n"
                        "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0.1 0 1\n$EndNodes\n"
-                       "$Elements\n5\n1 2 2 2 2 4 1 2\n2 2 2 2 2 4 2 3\n3 2 2 1 1 1 2 5\n"
-                       "4 2 2 1 1 2 3 5\n5 2 2 0 3 3 4 5\n$EndElements\n");
+                       "$Elements\n5\n1 2 2 3 3 4 1 2\n2 2 2 3 3 4 2 3\n3 2 2 1 1 1 2 5\n"
+                       "4 2 2 1 1 2 3 5\n5 2 2 0 4 3 4 5\n$EndElements\n");
 }
 
 TEST(Write_mesh, painted_names_are_for_3mf)

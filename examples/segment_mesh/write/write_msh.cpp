@@ -6,19 +6,26 @@
 #include "write/Text_buffer.h"
 #include "write/write_mesh.h"
 
+#include <CGAL/Region_segmentation/Segments/no_segment.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <ostream>
+#include <set>
 
 namespace segment_mesh {
 
 namespace {
 
-void write_names(Text_buffer& text, const Labelled_mesh& mesh, std::size_t number_of_segments)
+namespace RS = CGAL::Region_segmentation;
+
+void write_names(Text_buffer& text, const Labelled_mesh& mesh)
 {
-  text << "$PhysicalNames\n" << number_of_segments << "\n";
-  for (std::size_t s = 0; s < number_of_segments; ++s)
+  std::set<std::size_t> segments(mesh.segment_of_face.begin(), mesh.segment_of_face.end());
+  segments.erase(std::size_t(RS::no_segment));
+  text << "$PhysicalNames\n" << segments.size() << "\n";
+  for (std::size_t s : segments)
     text << "2 " << s + 1 << " \"" << mesh.name(s) << "\"\n"; // 2: a surface
   text << "$EndPhysicalNames\n";
 }
@@ -63,7 +70,7 @@ void write_msh(std::ostream& out, const Labelled_mesh& mesh)
   const Polygon_soup soup = extract_faces(mesh, faces).soup; // with no other points
   Text_buffer text(out);
   text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"; // text; numbers of 8 bytes
-  write_names(text, mesh, number_of_segments);
+  write_names(text, mesh);
   write_nodes(text, soup.points);
   write_elements(text, soup, mesh, number_of_segments);
 }
