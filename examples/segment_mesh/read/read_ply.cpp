@@ -229,12 +229,14 @@ public:
     for (const Ply_element& element : m_header.elements) {
       m_element = &element;
       reserve(element);
+      const bool is_vertex = element.is_vertex(), has_colors = element.has(Ply_role::RED),
+                 has_texture = element.has(Ply_role::U) || element.has(Ply_role::TEXTURE);
       for (m_item = 0; m_item < element.count; ++m_item) {
         for (const Ply_property& property : element.properties)
           read_property(property);
-        if (element.is_vertex())
-          end_vertex();
-        else if (element.is_face() && element.has(Ply_role::TEXTURE))
+        if (is_vertex)
+          end_vertex(has_colors, has_texture);
+        else if (has_texture)
           end_face();
       }
     }
@@ -378,13 +380,13 @@ private:
                                                          : 65535;
   }
 
-  void end_vertex()
+  void end_vertex(bool has_colors, bool has_texture)
   {
     const auto& [x, y, z, red, green, blue, u, v] = m_values;
     m_soup.points.push_back({x, y, z});
-    if (m_element->has(Ply_role::RED))
+    if (has_colors)
       m_input.properties.colors.values.push_back({float(red), float(green), float(blue)});
-    if (m_element->has(Ply_role::U))
+    if (has_texture)
       m_input.properties.texture.values.push_back({u, v});
   }
 
