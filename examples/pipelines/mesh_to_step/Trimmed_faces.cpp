@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Trimmed_faces.h"
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <ShapeFix_Face.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace mesh_to_step {
+
+namespace {
+
+constexpr double precision = 1e-7; // of a point or an edge, until the distance to its faces is
+                                   // known
+
+} // namespace
+
+double size_of(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return point_of({box.xmin(), box.ymin(), box.zmin()})
+    .Distance(point_of({box.xmax(), box.ymax(), box.zmax()}));
+}
+
+Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_faces)
+  : m_mesh(mesh)
+  , m_faces(labelled_faces)
+  , m_size(size_of(mesh))
+  , m_triangles(m_faces.surfaces.size())
+  , m_border_halfedges(m_faces.surfaces.size())
+  , m_surfaces(m_faces.surfaces.size())
+  , m_shapes(m_faces.surfaces.size())
+  , m_measures(m_faces.surfaces.size())
+{
+  for (auto f : faces(mesh)) {
+    m_triangles[m_faces.labels[f]].push_back(f);
+    for (Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
+      if (label(h) != label(opposite(h, mesh)))
+        m_border_halfedges[label(h)].push_back(h);
+  }
+  for (std::size_t face = 0; face < m_shapes.size(); ++face)
+    if (!is_freeform(face))
+      make_simple_surface(face);
+  make_edges();
+  for (std::size_t face = 0; face < m_shapes.size(); ++face) {
+    if (is_freeform(face))
+      make_freeform_surface(face);
+    if (!m_surfaces[face].IsNull())
+      m_shapes[face] = make_face(face);
+  }
+  for (TopoDS_Shape& shape : m_shapes)
+    if (!shape.IsNull())
+      shape = m_context->Apply(shape);
+  set_tolerances();
+  measure_triangles();
+}
+
+bool Trimmed_faces::is_right(std::size_t face) const
+{
+  constexpr double tolerance = 0.005; // of the area
+  const TopoDS_Shape& shape = m_shapes[face];
+  if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
+    return false;
+  GProp_GProps measured;
+  BRepGProp::SurfaceProperties(shape, measured);
+  const double area = m_measures[face].area;
+  return std::fabs(measured.Mass() - area) <= tolerance * area &&
+         BRepCheck_Analyzer(shape).IsValid();
+}
+
+/// The border of a face, as loops of halfedges of it.
+std::vector<Trimmed_faces::Halfedges> Trimmed_faces::loops(std::size_t face) const
+{
+  std::vector<Halfedges> result;
+  std::set<Halfedge> visited;
+  for (Halfedge first : m_border_halfedges[face]) {
+    Halfedges loop;
+    for (Halfedge h = first; visited.insert(h).second; h = next_at_border(h))
+      loop.push_back(h);
+    if (!loop.empty())
+      result.push_back(std::move(loop));
+  }
+  return result;
+}
+
+Trimmed_faces::Halfedge Trimmed_faces::next_at_border(Halfedge h) const
+{
+  const std::size_t face = label(h);
+  h = next(h, m_mesh);
+  while (label(opposite(h, m_mesh)) == face)
+    h = next(opposite(h, m_mesh), m_mesh);
+  return h;
+}
+
+/// Those of the faces that have one.
+Surfaces Trimmed_faces::simple_surfaces(const std::set<std::size_t>& faces) const
+{
+  Surfaces result;
+  for (const std::size_t face : faces)
+    if (face != none && !is_freeform(face))
+      result.push_back(m_surfaces[face]);
+  return result;
+}
+
+/// Whether the normals of the surface point into the part.
+bool Trimmed_faces::is_inside_out(std::size_t face) const
+{
+  if (!is_freeform(face))
+    return m_faces.surfaces[face].side < 0;
+  double sum = 0;
+  for (auto f : m_triangles[face]) {
+    const Halfedge h = halfedge(f, m_mesh);
+    const gp_Pnt a = source_point(h), b = source_point(next(h, m_mesh)),
+                 c = source_point(prev(h, m_mesh));
+    sum += (gp_Vec(a, b) ^ gp_Vec(a, c)).Dot(foot(m_surfaces[face], a).normal);
+  }
+  return sum < 0;
+}
+
+void Trimmed_faces::make_simple_surface(std::size_t face)
+{
+  Points points;
+  for (auto f : m_triangles[face])
+    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+      points.push_back(source_point(h));
+  std::vector<Points> borders;
+  for (const Halfedges& loop : loops(face)) {
+    borders.emplace_back();
+    for (Halfedge h : loop)
+      borders.back().push_back(source_point(h));
+  }
+  m_surfaces[face] = new ShapeAnalysis_Surface(
+    simple_surface(m_faces.surfaces[face], points, borders));
+}
+
+/// A surface through the vertices of a freeform face, and points of its edges.
+void Trimmed_faces::make_freeform_surface(std::size_t face)
+{
+  constexpr double tolerance = 1e-3; // of the size
+  Points points;
+  std::set<Mesh::Vertex_index> visited;
+  for (auto f : m_triangles[face])
+    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      if (visited.insert(source(h, m_mesh)).second)
+        points.push_back(source_point(h));
+      if (const auto piece = m_pieces.find(h); piece != m_pieces.end())
+        points.push_back(piece->second.middle());
+    }
+  if (const auto surface = freeform_surface(points, tolerance * m_size); !surface.IsNull())
+    m_surfaces[face] = new ShapeAnalysis_Surface(surface);
+}
+
+/// The vertex of the solid for one of the mesh, on all simple surfaces there.
+TopoDS_Vertex Trimmed_faces::vertex(Mesh::Vertex_index v)
+{
+  TopoDS_Vertex& result = m_vertices[v];
+  if (result.IsNull()) {
+    std::set<std::size_t> around;
+    for (Halfedge h : halfedges_around_target(v, m_mesh))
+      around.insert(label(h));
+    const gp_Pnt p = nearest_point(simple_surfaces(around), point_of(m_mesh.point(v)));
+    m_builder.MakeVertex(result, p, precision);
+  }
+  return result;
+}
+
+void Trimmed_faces::make_edges()
+{
+  std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
+  RS::extract_segment_borders(m_mesh, m_faces.labels, std::back_inserter(borders));
+  for (const auto& border : borders) {
+    const Halfedges& chain = border.halfedges;
+    if (border.is_closed || source(chain.front(), m_mesh) != target(chain.back(), m_mesh))
+      make_edge(chain, border.is_closed);
+    else { // from a junction to itself
+      const auto middle = chain.begin() + std::ptrdiff_t(chain.size() / 2);
+      make_edge({chain.begin(), middle}, false);
+      make_edge({middle, chain.end()}, false);
+    }
+  }
+  for (Halfedge h : halfedges(m_mesh))
+    if (is_border(opposite(h, m_mesh), m_mesh))
+      make_edge({h}, false);
+}
+
+void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
+{
+  Points points;
+  for (Halfedge h : chain)
+    points.push_back(source_point(h));
+  points.push_back(points.front());
+  TopoDS_Vertex first, last;
+  if (!is_closed) {
+    first = vertex(source(chain.front(), m_mesh));
+    last = vertex(target(chain.back(), m_mesh));
+    points.front() = BRep_Tool::Pnt(first);
+    points.back() = BRep_Tool::Pnt(last);
+  }
+  const Border_curve border = curve(chain, points);
+  if (is_closed) {
+    m_builder.MakeVertex(first, border.piece.curve->Value(border.piece.first), precision);
+    last = first;
+  }
+  TopoDS_Edge edge;
+  m_builder.MakeEdge(edge, border.piece.curve, precision);
+  m_builder.Add(edge, first.Oriented(TopAbs_FORWARD));
+  m_builder.Add(edge, last.Oriented(TopAbs_REVERSED));
+  m_builder.Range(edge, border.piece.first, border.piece.last);
+  ShapeFix_Edge().FixVertexTolerance(edge);
+  m_edges[chain.front()] = edge;
+  m_edges[opposite(chain.back(), m_mesh)] = TopoDS::Edge(edge.Reversed());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double from = border.parameters[i], to = border.parameters[i + 1];
+    m_pieces[chain[i]] = {border.piece.curve, from, to};
+    m_pieces[opposite(chain[i], m_mesh)] = {border.piece.curve, to, from};
+  }
+}
+
+Border_curve Trimmed_faces::curve(const Halfedges& chain, const Points& points) const
+{
+  const std::set<std::size_t> sides{label(chain.front()), label(opposite(chain.front(), m_mesh))};
+  double tolerance = 1e-6 * m_size;
+  bool is_straight = false;
+  for (const std::size_t face : sides)
+    if (face != none) {
+      tolerance = (std::max)(tolerance, 2 * m_faces.surfaces[face].deviation);
+      // A facet that is nearly tangent to its neighbor meets its surface elsewhere.
+      is_straight = is_straight || m_faces.is_facet[face];
+    }
+  return make_curve(points, is_straight ? Surfaces() : simple_surfaces(sides), tolerance);
+}
+
+TopoDS_Shape Trimmed_faces::make_face(std::size_t face)
+try {
+  const Handle(Geom_Surface) surface = m_surfaces[face]->Surface();
+  const bool is_reversed = is_inside_out(face);
+  TopoDS_Face trimmed;
+  m_builder.MakeFace(trimmed, surface, precision);
+  for (const Halfedges& loop : loops(face)) {
+    TopoDS_Wire wire;
+    m_builder.MakeWire(wire);
+    for (Halfedge h : loop)
+      if (const auto edge = m_edges.find(h); edge != m_edges.end())
+        m_builder.Add(wire, is_reversed ? edge->second.Reversed() : edge->second);
+    wire.Closed(true);
+    m_builder.Add(trimmed, wire);
+  }
+  if (m_border_halfedges[face].empty()) // a whole sphere or torus
+    trimmed = BRepBuilderAPI_MakeFace(surface, precision);
+  ShapeFix_Face fix(trimmed); // adds curves in parameters, seams and poles
+  fix.SetContext(m_context);
+  fix.FixOrientationMode() = 0;
+  fix.FixPeriodicDegeneratedMode() = 1;
+  fix.Perform();
+  return is_reversed ? fix.Result().Reversed() : fix.Result();
+} catch (const Standard_Failure&) {
+  return {};
+}
+
+/// Makes the tolerances of edges as large as their distances to their faces, and those of vertices
+/// not smaller.
+void Trimmed_faces::set_tolerances()
+{
+  constexpr double margin = 1.1; // OpenCASCADE measures at other points
+  for (const TopoDS_Shape& shape : m_shapes)
+    if (!shape.IsNull())
+      BRepLib::SameParameter(shape, precision, true);
+  for (std::size_t i = 0; i < m_shapes.size(); ++i)
+    for (TopExp_Explorer edges(m_shapes[i], TopAbs_EDGE); edges.More(); edges.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+      Curve_piece piece;
+      piece.curve = BRep_Tool::Curve(edge, piece.first, piece.last);
+      if (!piece.curve.IsNull())
+        m_builder.UpdateEdge(
+          edge, margin * (std::max)(BRep_Tool::Tolerance(edge), gap(piece, {m_surfaces[i]})));
+    }
+  for (const TopoDS_Shape& shape : m_shapes)
+    if (!shape.IsNull())
+      BRepLib::UpdateTolerances(shape);
+}
+
+void Trimmed_faces::measure_triangles()
+{
+  for (auto f : faces(m_mesh)) {
+    std::array<gp_Pnt, 3> corners;
+    std::array<Curve_piece, 3> sides;
+    std::size_t i = 0;
+    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      corners[i] = source_point(h);
+      if (const auto piece = m_pieces.find(h); piece != m_pieces.end())
+        sides[i] = piece->second;
+      ++i;
+    }
+    const std::size_t face = m_faces.labels[f];
+    const Surfaces surface(m_surfaces[face].IsNull() ? 0 : 1, m_surfaces[face]);
+    const Measures m = measures_on_surface(corners, surface, sides);
+    m_measures[face].area += m.area;
+    m_measures[face].volume += m.volume;
+  }
+}
+
+} // namespace mesh_to_step

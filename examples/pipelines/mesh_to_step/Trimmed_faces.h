@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_TRIMMED_FACES_H
+#define CGAL_REGION_SEGMENTATION_EXAMPLES_TRIMMED_FACES_H
+
+#include "make_curve.h"
+#include "measures.h"
+#include "part_surface.h"
+
+#include <BRep_Builder.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace mesh_to_step {
+
+using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
+
+/// The faces to make, by label: faces of the part, and facets, which are planes.
+struct Labelled_faces
+{
+  Labels labels; ///< of the triangles
+  std::vector<Fitted_surface> surfaces;
+  std::vector<bool> is_facet;
+};
+
+/// The diagonal of the bounding box.
+double size_of(const Mesh& mesh);
+
+/// Surfaces that are trimmed by the edges between the faces, which they share.
+class Trimmed_faces
+{
+public:
+  Trimmed_faces(const Mesh& mesh, const Labelled_faces& faces);
+
+  /// By label; null of a freeform face without a surface, several faces where making one failed.
+  const std::vector<TopoDS_Shape>& shapes() const { return m_shapes; }
+  /// What area and volume should be, by label.
+  const std::vector<Measures>& measures() const { return m_measures; }
+  /// Whether a face is valid, and of the area that it should have.
+  bool is_right(std::size_t face) const;
+
+private:
+  using Halfedge = Mesh::Halfedge_index;
+  using Halfedges = std::vector<Halfedge>;
+  static constexpr std::size_t none = std::size_t(-1);
+
+  gp_Pnt source_point(Halfedge h) const { return point_of(m_mesh.point(source(h, m_mesh))); }
+  std::size_t label(Halfedge h) const
+  {
+    return is_border(h, m_mesh) ? none : m_faces.labels[face(h, m_mesh)];
+  }
+  bool is_freeform(std::size_t face) const
+  {
+    return m_faces.surfaces[face].kind == RS::Surface_kind::FREEFORM;
+  }
+  std::vector<Halfedges> loops(std::size_t face) const;
+  Halfedge next_at_border(Halfedge h) const;
+  Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
+  bool is_inside_out(std::size_t face) const;
+
+  void make_simple_surface(std::size_t face);
+  void make_freeform_surface(std::size_t face);
+  TopoDS_Vertex vertex(Mesh::Vertex_index v);
+  void make_edges();
+  void make_edge(const Halfedges& chain, bool is_closed);
+  Border_curve curve(const Halfedges& chain, const Points& points) const;
+  TopoDS_Shape make_face(std::size_t face);
+  void set_tolerances();
+  void measure_triangles();
+
+  const Mesh& m_mesh;
+  const Labelled_faces& m_faces;
+  double m_size;
+  std::vector<std::vector<Mesh::Face_index>> m_triangles; ///< of each face
+  std::vector<Halfedges> m_border_halfedges;              ///< of each face
+  Surfaces m_surfaces;                                    ///< of each face, or null
+  std::map<Mesh::Vertex_index, TopoDS_Vertex> m_vertices;
+  std::map<Halfedge, TopoDS_Edge> m_edges;  ///< by the first halfedge in the face to their left
+  std::map<Halfedge, Curve_piece> m_pieces; ///< along halfedges at borders
+  std::vector<TopoDS_Shape> m_shapes;
+  std::vector<Measures> m_measures;
+  BRep_Builder m_builder;
+  Handle(ShapeBuild_ReShape) m_context = new ShapeBuild_ReShape; ///< edges that seams divide
+};
+
+} // namespace mesh_to_step
+
+#endif // CGAL_REGION_SEGMENTATION_EXAMPLES_TRIMMED_FACES_H

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_SOLID_H
+#define CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_SOLID_H
+
+#include "part_surface.h"
+
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+
+#include <TopoDS_Shape.hxx>
+
+#include <set>
+#include <vector>
+
+namespace mesh_to_step {
+
+/// A part as a boundary representation.
+struct Solid
+{
+  TopoDS_Shape shape; ///< a solid, or of a mesh that is open a shell; a compound of several
+  std::set<std::size_t> faces_as_facets; ///< the faces of the part that are triangles in `shape`
+  /// That of the mesh, if its triangles are bent to the surfaces of their faces.
+  double expected_volume = 0;
+};
+
+/// Makes a solid of the faces of a machine part: each is its surface, trimmed by edges that it
+/// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles if
+/// what is made of it is not valid, or has not the area of its triangles bent to its surface.
+///
+/// \param mesh of triangles
+/// \param face_of_triangle, part_faces as found by `find_part_faces()`
+Solid make_solid(Mesh mesh,
+                 const Mesh::Property_map<Mesh::Face_index, std::size_t>& face_of_triangle,
+                 std::vector<RS::Part_face<Kernel>> part_faces);
+
+/// What OpenCASCADE says of a shape.
+struct Shape_properties
+{
+  bool is_solid; ///< whether it is solids, which are closed and valid
+  std::size_t number_of_faces;
+  double volume;
+  double gap; ///< the largest distance between an edge and a face that it bounds
+};
+
+Shape_properties properties_of(const TopoDS_Shape& shape);
+
+} // namespace mesh_to_step
+
+#endif // CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_SOLID_H

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_PART_SURFACE_H
+#define CGAL_REGION_SEGMENTATION_EXAMPLES_PART_SURFACE_H
+
+#include "../../example_mesh.h"
+
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+
+#include <Geom_Surface.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pnt.hxx>
+
+#include <cmath>
+#include <vector>
+
+namespace mesh_to_step {
+
+namespace RS = CGAL::Region_segmentation;
+using Fitted_surface = RS::Fitted_surface<Kernel>;
+using Points = std::vector<gp_Pnt>;
+/// Surfaces, with what projects points to them.
+using Surfaces = std::vector<Handle(ShapeAnalysis_Surface)>;
+
+constexpr double turn = 2 * M_PI;
+
+inline gp_Pnt point_of(const Point& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+/// A direction across an axis, which is the same for the axis and its opposite: there are the seams
+/// of surfaces around the axis, and the ends of full circles.
+gp_Dir seam_direction(const gp_Dir& axis);
+
+/// The surface of a face, which is not freeform, as OpenCASCADE has it. If the face goes around the
+/// axis its seam is in the seam direction, else where the face is not. The poles of a sphere are
+/// not in the face, or there is one in it.
+///
+/// \param points the vertices of the face
+/// \param loops the vertices along its border, in the directions of its halfedges
+Handle(Geom_Surface)
+  simple_surface(const Fitted_surface& s, const Points& points, const std::vector<Points>& loops);
+
+/// A B-spline surface through the points of a freeform face, or null where none is found that is
+/// within the tolerance of all: a plane is bent to them.
+Handle(Geom_Surface) freeform_surface(const Points& points, double tolerance);
+
+/// The foot of a point on a surface, and the unit normal there, or zero at an apex.
+struct Foot
+{
+  gp_Pnt point;
+  gp_Vec normal;
+};
+
+Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p);
+
+/// The distance of a point to the farthest of the surfaces.
+double distance(const Surfaces& surfaces, const gp_Pnt& p);
+
+/// The point next to `p` that all surfaces have in common, or that is nearest to them, by Newton's
+/// method. Where surfaces are tangent, it does not move along them.
+gp_Pnt nearest_point(const Surfaces& surfaces, gp_Pnt p);
+
+} // namespace mesh_to_step
+
+#endif // CGAL_REGION_SEGMENTATION_EXAMPLES_PART_SURFACE_H
