@@ -2,7 +2,7 @@
 set(source ${CMAKE_CURRENT_LIST_DIR}/..)
 
 set(doc ${CPACK_TEMPORARY_DIRECTORY}/headers/usr/share/doc/${CPACK_DEBIAN_HEADERS_PACKAGE_NAME})
-foreach(folder IN ITEMS examples examples/data examples/pipelines)
+foreach(folder IN ITEMS examples examples/data examples/pipelines examples/pipelines/mesh_to_step)
   file(GLOB examples ${source}/${folder}/*.cpp ${source}/${folder}/*.h ${source}/${folder}/*.off
     ${source}/${folder}/*.geo)
   file(COPY ${examples} DESTINATION ${doc}/${folder})

@@ -60,7 +60,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      make_simple_surface(face);
+      m_surfaces[face] = new ShapeAnalysis_Surface(simple_surface(m_faces.surfaces[face]));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -135,22 +135,6 @@ bool Trimmed_faces::is_inside_out(std::size_t face) const
     sum += (gp_Vec(a, b) ^ gp_Vec(a, c)).Dot(foot(m_surfaces[face], a).normal);
   }
   return sum < 0;
-}
-
-void Trimmed_faces::make_simple_surface(std::size_t face)
-{
-  Points points;
-  for (auto f : m_triangles[face])
-    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
-      points.push_back(source_point(h));
-  std::vector<Points> borders;
-  for (const Halfedges& loop : loops(face)) {
-    borders.emplace_back();
-    for (Halfedge h : loop)
-      borders.back().push_back(source_point(h));
-  }
-  m_surfaces[face] = new ShapeAnalysis_Surface(
-    simple_surface(m_faces.surfaces[face], points, borders));
 }
 
 /// A surface through the vertices of a freeform face, and points of its edges.
@@ -282,9 +266,13 @@ try {
 void Trimmed_faces::set_tolerances()
 {
   constexpr double margin = 1.1; // OpenCASCADE measures at other points
-  for (const TopoDS_Shape& shape : m_shapes)
-    if (!shape.IsNull())
-      BRepLib::SameParameter(shape, precision, true);
+  for (TopoDS_Shape& shape : m_shapes)
+    try {
+      if (!shape.IsNull())
+        BRepLib::SameParameter(shape, precision, true);
+    } catch (const Standard_Failure&) {
+      shape.Nullify();
+    }
   for (std::size_t i = 0; i < m_shapes.size(); ++i)
     for (TopExp_Explorer edges(m_shapes[i], TopAbs_EDGE); edges.More(); edges.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(edges.Current());

@@ -64,7 +64,6 @@ private:
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
   bool is_inside_out(std::size_t face) const;
 
-  void make_simple_surface(std::size_t face);
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);
   void make_edges();

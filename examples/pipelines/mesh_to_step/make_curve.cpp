@@ -27,6 +27,8 @@ namespace mesh_to_step {
 
 namespace {
 
+constexpr double turn = 2 * M_PI;
+
 bool is_closed(const Points& points)
 {
   return points.size() > 2 && points.front().IsEqual(points.back(), 0);

@@ -2,6 +2,8 @@
 
 #include "measures.h"
 
+#include <Geom_Plane.hxx>
+
 namespace mesh_to_step {
 
 namespace {
@@ -48,6 +50,9 @@ Measures measures(const std::array<gp_Pnt, 3>& c, const Surfaces& surface,
 Measures measures_on_surface(const std::array<gp_Pnt, 3>& corners, const Surfaces& surface,
                              const std::array<Curve_piece, 3>& sides)
 {
+  const bool is_flat = surface.empty() || surface[0]->Surface()->IsKind(STANDARD_TYPE(Geom_Plane));
+  if (is_flat && sides[0].curve.IsNull() && sides[1].curve.IsNull() && sides[2].curve.IsNull())
+    return measures(corners);
   const Measures coarse = measures(corners, surface, sides, 1),
                  fine = measures(corners, surface, sides, 2);
   // The error is as the square of the length of a side.

@@ -18,69 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace mesh_to_step {
-
-namespace {
-
-gp_Dir axis_of_sphere(const gp_Pnt& center, double radius, const Points& points,
-                      const std::vector<Points>& loops)
-{
-  gp_Vec mean(0, 0, 0), area(0, 0, 0);
-  for (const gp_Pnt& p : points)
-    mean += gp_Vec(center, p) / double(points.size());
-  if (mean.Magnitude() > 0.6 * radius) // less than a half
-    return seam_direction(mean);
-  if (!loops.empty())
-    for (std::size_t i = 0; i < loops[0].size(); ++i)
-      area += gp_Vec(center, loops[0][i]) ^ gp_Vec(center, loops[0][(i + 1) % loops[0].size()]);
-  return area.Magnitude() > 0 ? gp_Dir(area) : gp_Dir(0, 0, 1);
-}
-
-/// The angle around the axis, from the seam direction on.
-class Angle
-{
-public:
-  explicit Angle(const gp_Ax3& frame)
-    : m_frame(frame)
-  {}
-
-  double operator()(const gp_Pnt& p) const
-  {
-    const gp_Vec d(m_frame.Location(), p);
-    return std::atan2(d.Dot(m_frame.YDirection()), d.Dot(m_frame.XDirection()));
-  }
-
-  bool winds(const Points& loop) const
-  {
-    double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      sum += std::remainder((*this)(loop[(i + 1) % loop.size()]) - (*this)(loop[i]), turn);
-    return std::fabs(sum) > M_PI;
-  }
-
-  double middle_of_largest_gap(const Points& points) const
-  {
-    std::set<double> angles;
-    for (const gp_Pnt& p : points)
-      angles.insert((*this)(p));
-    double before = *angles.rbegin() - turn, largest = 0, result = 0;
-    for (const double angle : angles) {
-      if (angle - before > largest) {
-        largest = angle - before;
-        result = (angle + before) / 2;
-      }
-      before = angle;
-    }
-    return result;
-  }
-
-private:
-  gp_Ax3 m_frame;
-};
-
-} // namespace
 
 gp_Dir seam_direction(const gp_Dir& axis)
 {
@@ -89,18 +28,10 @@ gp_Dir seam_direction(const gp_Dir& axis)
   return across.Magnitude() > 0.1 ? gp_Dir(across) : gp_Dir(gp_Vec(0.6, -0.8, 0.1) ^ n);
 }
 
-Handle(Geom_Surface)
-  simple_surface(const Fitted_surface& s, const Points& points, const std::vector<Points>& loops)
+Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
 {
-  const gp_Pnt location = point_of(s.point);
-  const gp_Dir axis = s.kind == RS::Surface_kind::SPHERE
-                        ? axis_of_sphere(location, s.radius, points, loops)
-                        : gp_Dir(s.direction.x(), s.direction.y(), s.direction.z());
-  gp_Ax3 frame(location, axis, seam_direction(axis));
-  const Angle angle(frame);
-  if (!loops.empty() && std::none_of(loops.begin(), loops.end(),
-                                     [&](const Points& loop) { return angle.winds(loop); }))
-    frame.Rotate(frame.Axis(), angle.middle_of_largest_gap(points));
+  const gp_Dir axis(s.direction.x(), s.direction.y(), s.direction.z());
+  const gp_Ax3 frame(point_of(s.point), axis, seam_direction(axis));
   switch (s.kind) {
   case RS::Surface_kind::CYLINDER:
     return new Geom_CylindricalSurface(frame, s.radius);

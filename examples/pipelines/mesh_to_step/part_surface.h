@@ -12,7 +12,6 @@
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
 
-#include <cmath>
 #include <vector>
 
 namespace mesh_to_step {
@@ -23,8 +22,6 @@ using Points = std::vector<gp_Pnt>;
 /// Surfaces, with what projects points to them.
 using Surfaces = std::vector<Handle(ShapeAnalysis_Surface)>;
 
-constexpr double turn = 2 * M_PI;
-
 inline gp_Pnt point_of(const Point& p)
 {
   return {p.x(), p.y(), p.z()};
@@ -34,14 +31,8 @@ inline gp_Pnt point_of(const Point& p)
 /// of surfaces around the axis, and the ends of full circles.
 gp_Dir seam_direction(const gp_Dir& axis);
 
-/// The surface of a face, which is not freeform, as OpenCASCADE has it. If the face goes around the
-/// axis its seam is in the seam direction, else where the face is not. The poles of a sphere are
-/// not in the face, or there is one in it.
-///
-/// \param points the vertices of the face
-/// \param loops the vertices along its border, in the directions of its halfedges
-Handle(Geom_Surface)
-  simple_surface(const Fitted_surface& s, const Points& points, const std::vector<Points>& loops);
+/// A surface that is not freeform, as OpenCASCADE has it.
+Handle(Geom_Surface) simple_surface(const Fitted_surface& s);
 
 /// A B-spline surface through the points of a freeform face, or null where none is found that is
 /// within the tolerance of all: a plane is bent to them.
