@@ -1,14 +1,14 @@
 #!/bin/sh
 # make_figures.sh [PROGRAM]: makes the figures of the manual and the README anew, from the meshes of CGAL's demos (Debian's
 # libcgal-demo, or the folder REGION_SEGMENTATION_REAL_MESHES), by the program (default: build/bin/segment_mesh, where
-# examples/run.sh puts it). Installs what is missing. Prints what the program says of each picture.
+# examples/run.sh puts it) and the example mesh_to_step beside it. Installs what is missing. Prints what the program says of each picture.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/.." && pwd)
 program=$(realpath "${1:-$root/build/bin/segment_mesh}")
 figures=$here/Region_segmentation/fig
 
-sh "$root/cmake/install_packages.sh" chromium g++ imagemagick libcgal-demo libcgal-dev optipng python3
+sh "$root/cmake/install_packages.sh" chromium g++ gmsh imagemagick libcgal-demo libcgal-dev optipng python3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 meshes=$(realpath "${REGION_SEGMENTATION_REAL_MESHES:-$work}")
@@ -79,6 +79,16 @@ view joint_smooth joint.off 50 25 --method smooth-faces
 view anchor_smooth anchor.off -10 25 --method smooth-faces
 view rotor rotor.off 60 20 --method smooth-faces
 row machine_parts 280 joint_learned joint_smooth anchor_smooth rotor
+
+# A part as few triangles, and the solid that is made of them, in many.
+to_step=$(dirname "$program")/mesh_to_step
+"$to_step" joint.off "$work/joint.step"
+gmsh "$work/joint.step" -2 -setnumber Mesh.MeshSizeFromCurvature 12 -o "$work/few.stl" >"$work/gmsh.log"
+"$to_step" "$work/few.stl" "$work/solid.step"
+gmsh "$work/solid.step" -2 -setnumber Mesh.MeshSizeFromCurvature 80 -o "$work/many.stl" >"$work/gmsh.log"
+view few "$work/few.stl" 50 25 --method smooth-faces
+view many "$work/many.stl" 50 25 --method smooth-faces
+row solid 300 few many
 
 view k2 diplodocus.off 10 15 -k 2
 view k4 diplodocus.off 10 15 -k 4
