@@ -3,7 +3,7 @@
 // Solids of parts whose faces, radii and volumes are known, as they are read from their STEP files.
 
 #include "make_solid.h"
-#include "step_file.h"
+#include "step_text.h"
 
 #include "../shapes_with_faces.h"
 
@@ -60,9 +60,7 @@ Result through_a_file(Mesh mesh, const Change& change)
   RS::find_part_faces(mesh, labels, std::back_inserter(result.faces));
   change(result.faces);
   result.solid = mesh_to_step::make_solid(mesh, labels, result.faces);
-  const std::string file = testing::TempDir() + "mesh_to_step_test.step";
-  EXPECT_TRUE(mesh_to_step::write_step(result.solid.shape, file));
-  result.read = mesh_to_step::read_step(file);
+  result.read = mesh_to_step::shape_of(mesh_to_step::step_text(result.solid.shape));
   result.properties = mesh_to_step::properties_of(result.read);
   return result;
 }
@@ -137,6 +135,20 @@ TEST(Mesh_to_step, the_flange)
     CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("flange.off"), mesh));
   const Result result = through_a_file(mesh);
   expect_solid(result, 15, {5, 8, 8, 8, 8, 8, 8, 10, 25, 50, 100}, result.solid.expected_volume);
+}
+
+TEST(Mesh_to_step, tells_what_is_wrong)
+{
+  Mesh mesh = to_mesh(frustum_with_bore());
+  const mesh_to_step::Step_part whole = mesh_to_step::make_step_part(mesh);
+  EXPECT_TRUE(whole.is_solid);
+  EXPECT_EQ(whole.remarks.size(), 2u);
+  CGAL::Euler::remove_face(halfedge(*faces(mesh).begin(), mesh), mesh);
+  mesh.collect_garbage();
+  const mesh_to_step::Step_part open = mesh_to_step::make_step_part(mesh);
+  EXPECT_FALSE(open.is_solid);
+  ASSERT_EQ(open.remarks.size(), 3u);
+  EXPECT_EQ(open.remarks[1].find("the mesh is open: 3 edges have one face, the first near ("), 0u);
 }
 
 TEST(Mesh_to_step, a_mesh_without_a_triangle_is_no_solid)
