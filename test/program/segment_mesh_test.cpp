@@ -292,7 +292,7 @@ TEST_F(Program, knows_wrong_usage)
   folder.write("a.off", sample::off());
   folder.write("b.off", sample::off());
   const std::string endings = ": unknown extension of an output, not .seg, .ply, .off, .obj, .vtp, "
-                              ".json, .csv, .png, .html, .glb, .3mf, .stl or .msh";
+                              ".json, .csv, .png, .html, .glb, .3mf, .stl, .msh or .step";
   for (const std::string size : {"0", "16385"})
     for (const std::string& sizes : {size, size + "x600", "600x" + size})
       expect_wrong_usage("a.off --size " + sizes,

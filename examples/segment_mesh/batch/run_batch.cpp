@@ -141,11 +141,13 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
          seconds + "\n";
 }
 
-void write_outputs(const Job& job, const Result& result, Job_report& report)
+void write_outputs(const Job& job, const Result& result, Verbosity verbosity, Job_report& report)
 {
   for (const Output& output : job.outputs) {
     try {
-      write_segmentation(output, result);
+      for (const std::string& remark : write_segmentation(output, result))
+        if (verbosity == Verbosity::NORMAL)
+          report.err += one_line(output.file) + ": " + remark + "\n";
     } catch (const Output_error& error) {
       report.err += std::string(error.what()) + "\n";
       report.status = FAILED;
@@ -184,7 +186,7 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
   write_outputs(job,
                 {job.input, input.mesh, input.marks, settings, job.side_files, segmentation,
                  details, options.view, options.coloring},
-                report);
+                options.verbosity, report);
 }
 
 /// Reads, segments and writes, whatever happens in it: the others of the batch are to be done, too.

@@ -153,8 +153,9 @@ void add_outputs(CLI::App& app, Raw_options& raw)
  and a .mtl beside it has the colors, unless it is a
  pipe), .glb, .3mf, .stl (a part for each segment, to
  be shown or printed), .msh (for gmsh: a physical group
- a segment), .seg (the label of each face on a line),
- .csv (a table: area, volume, shape ... of
+ a segment), .step (for CAD: a solid of the faces of a
+ machine part), .seg (the label of each face on a
+ line), .csv (a table: area, volume, shape ... of
  each segment), .json (all of it). With .gz after it a
  file is compressed. {segment} in FILE: a mesh for each
  segment. - is stdout. A file appears whole or not at

@@ -61,8 +61,9 @@ void check(const Output& output)
 
 const std::vector<std::string>& output_format_names()
 {
-  static const std::vector<std::string> names = {"seg", "ply",  "off", "obj", "vtp", "json", "csv",
-                                                 "png", "html", "glb", "3mf", "stl", "msh"};
+  static const std::vector<std::string> names = {"seg",  "ply", "off", "obj",  "vtp",
+                                                 "json", "csv", "png", "html", "glb",
+                                                 "3mf",  "stl", "msh", "step"};
   return names;
 }
 

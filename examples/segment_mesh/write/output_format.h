@@ -13,7 +13,22 @@
 namespace segment_mesh {
 
 /// The formats that are written.
-enum class Output_format { SEG, PLY, OFF, OBJ, VTP, JSON, CSV, PNG, HTML, GLB, THREE_MF, STL, MSH };
+enum class Output_format {
+  SEG,
+  PLY,
+  OFF,
+  OBJ,
+  VTP,
+  JSON,
+  CSV,
+  PNG,
+  HTML,
+  GLB,
+  THREE_MF,
+  STL,
+  MSH,
+  STEP
+};
 
 /// What of a segmentation is written; solids are closed segments; a mesh that is painted is in one
 /// piece.

@@ -87,6 +87,8 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
     return write_stl(out, mesh);
   case Output_format::MSH:
     return write_msh(out, mesh);
+  case Output_format::STEP: // by write_solid()
+    break;
   }
 }
 
@@ -152,6 +154,15 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   file.commit();
 }
 
+Remarks write_solid(const Output& output, const Result& result)
+{
+  const Step_text step = make_step(output, result);
+  Whole_file file(output.file);
+  write_stream(file.stream(), output.compression, [&](std::ostream& out) { out << step.text; });
+  file.commit();
+  return step.remarks;
+}
+
 /// The largest absolute value of a coordinate of a polygon.
 double largest_coordinate(const Polygon_soup& soup)
 {
@@ -196,8 +207,10 @@ void write_each_segment(const Output& output, const Result& result, const Labell
 
 } // namespace
 
-void write_segmentation(const Output& output, const Result& result)
+Remarks write_segmentation(const Output& output, const Result& result)
 {
+  if (output.format == Output_format::STEP)
+    return write_solid(output, result);
   if (output.format == Output_format::HTML && !can_write_pages())
     throw Output_error(output.file,
                        "pages need three.js (Debian: libjs-three), and this program was "
@@ -215,6 +228,7 @@ void write_segmentation(const Output& output, const Result& result)
     write_each_segment(output, result, mesh);
   else
     write_file(output, result, mesh);
+  return {};
 }
 
 void write_seg(std::ostream& out, const Result& result)

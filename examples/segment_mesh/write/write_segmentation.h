@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_WRITE_SEGMENTATION_H
 
 #include "write/output_format.h"
+#include "read/errors.h"
 #include "read/read_mesh.h"
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
@@ -32,7 +33,8 @@ struct Result
 
 /// Writes a result in the format of `output`, or each of its segments. Faces come in the order of
 /// the input's file. A file appears whole or not at all. \throws Output_error naming file and cause
-void write_segmentation(const Output& output, const Result& result);
+/// \returns remarks on a solid
+Remarks write_segmentation(const Output& output, const Result& result);
 
 /// \name Formats that are not only of meshes
 /// @{
@@ -47,6 +49,16 @@ void write_csv(std::ostream& out, const Result& result);
 void write_view(std::ostream& out, const Result& result);
 /// A page to view and rotate the mesh, see `write_page()`.
 void write_html(std::ostream& out, const Result& result);
+
+struct Step_text
+{
+  std::string text;
+  Remarks remarks; ///< on faces that are facets
+};
+
+/// A solid of the faces of a machine part, whatever the segments are. \throws Output_error if there
+/// is none, or if the program was built without OpenCASCADE
+Step_text make_step(const Output& output, const Result& result);
 /// @}
 
 } // namespace segment_mesh
