@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """outputs_test.py PROGRAM READER: what segment_mesh writes, read by another program: as many parts as segments, with the areas
-that they have by the .seg file and the mesh. READER is assimp, vtk, prusa-slicer or painted (by prusa-slicer), of the Debian
-packages assimp-utils, python3-vtk9 and prusa-slicer, or csv, Python's. Without it, or where the program was built without a
+that they have by the .seg file and the mesh. READER is assimp, vtk, prusa-slicer, painted (by prusa-slicer) or step (by
+gmsh), of the Debian packages assimp-utils, python3-vtk9, prusa-slicer and python3-gmsh, or csv, Python's. Without it, or where the program was built without a
 format, the test is skipped."""
 
 import csv
@@ -289,12 +289,37 @@ def check_csv(case):
     case.expect([float(row["area"]) for row in rows])
 
 
+def check_step(case):
+    """One solid of the volume of the mesh, of a block of its six faces. A block without a face is none, and nothing is written."""
+    try:
+        import gmsh
+    except ImportError:
+        skip("no python3-gmsh")
+    case.write("a.step")
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    (_, solid), = gmsh.model.occ.importShapes(str(case.folder / "a.step"))
+    gmsh.model.occ.synchronize()
+    volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
+    is_block = len(case.faces) == 6
+    numpy.testing.assert_allclose(gmsh.model.occ.getMass(3, solid), volume, rtol=1e-9 if is_block else 0.01)
+    if is_block:
+        faces = sorted(gmsh.model.occ.getMass(2, face) for _, face in gmsh.model.getEntities(2))
+        numpy.testing.assert_allclose(faces, [2, 2, 3, 3, 6, 6], rtol=1e-9)
+    gmsh.finalize()
+
+    (case.folder / "open.off").write_text(BLOCK.replace("8 6 0", "8 5 0").replace("4 3 0 4 7\n", ""))
+    outcome = subprocess.run([case.command[0], "open.off", "-o", "b.step"], cwd=case.folder, capture_output=True, text=True)
+    assert outcome.returncode == 1 and "b.step: no solid of" in outcome.stderr and "open" in outcome.stderr, outcome
+    assert not (case.folder / "b.step").exists()
+
+
 def main(program, reader):
     needed = "prusa-slicer" if reader == "painted" else reader
     if needed in ("assimp", "prusa-slicer") and not shutil.which(needed):
         skip(f"no {needed}")
     check = {"assimp": check_assimp, "vtk": check_vtk, "prusa-slicer": check_slicer, "painted": check_painted,
-             "csv": check_csv}[reader]
+             "csv": check_csv, "step": check_step}[reader]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "block.off").write_text(BLOCK)
