@@ -15,6 +15,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include <Standard_Failure.hxx>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -184,6 +186,28 @@ TEST(Mesh_to_step, a_surface_that_is_not_that_of_its_triangles_is_told)
   EXPECT_TRUE(!result.properties.is_solid || !result.solid.faces_as_facets.empty() ||
               std::fabs(result.properties.volume - volume) > 1e-3 * volume ||
               result.properties.gap > 0.01);
+}
+
+TEST(Mesh_to_step, two_sides_of_a_triangle_are_no_solid)
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+             c = mesh.add_vertex({0, 1, 0});
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, b);
+  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(mesh);
+  EXPECT_FALSE(part.is_solid);
+  EXPECT_NE(part.remarks.back().find("the mesh encloses nothing"), std::string::npos);
+}
+
+TEST(Mesh_to_step, a_size_out_of_range_is_told)
+{
+  for (double factor : {1e-9, 1e200}) {
+    auto shape = frustum_with_bore();
+    for (auto& p : shape.points)
+      p = factor * p;
+    EXPECT_THROW(mesh_to_step::make_step_part(to_mesh(shape)), Standard_Failure) << factor;
+  }
 }
 
 } // namespace

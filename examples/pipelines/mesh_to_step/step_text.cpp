@@ -2,6 +2,7 @@
 
 #include "step_text.h"
 
+#include "Trimmed_faces.h"
 #include "make_solid.h"
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -13,6 +14,7 @@
 #include <Message_Printer.hxx>
 #include <STEPControl_Reader.hxx>
 #include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -74,14 +76,30 @@ bool check(const Shape_properties& shape, double expected_volume, std::vector<st
   std::ostringstream text;
   text << shape.number_of_faces << " faces, volume " << shape.volume << ", edges within "
        << shape.gap << " of their faces";
-  const bool has_volume = std::fabs(shape.volume - expected_volume) <=
-                          tolerance * std::fabs(expected_volume);
+  const bool has_volume = expected_volume > 0,
+             is_exact = std::fabs(shape.volume - expected_volume) <= tolerance * expected_volume;
   if (!shape.is_solid)
     text << "; this is not a valid closed solid";
   else if (!has_volume)
+    text << "; the mesh encloses nothing";
+  else if (!is_exact)
     text << "; the volume should be " << expected_volume;
   remarks.push_back(text.str());
-  return shape.is_solid && has_volume;
+  return shape.is_solid && has_volume && is_exact;
+}
+
+/// \throws Standard_Failure if the lengths are none that OpenCASCADE, whose tolerance is 1e-7, can
+/// compute with
+void check_size(const Mesh& mesh)
+{
+  constexpr double least = 1e-3, most = 1e12;
+  const double size = size_of(mesh);
+  if (size >= least && size <= most)
+    return;
+  std::ostringstream text;
+  text << "the size of the part is " << size << ", OpenCASCADE needs one from " << least << " to "
+       << most;
+  throw Standard_Failure(text.str().c_str());
 }
 
 } // namespace
@@ -112,6 +130,7 @@ TopoDS_Shape shape_of(const std::string& step_text)
 
 Step_part make_step_part(Mesh mesh)
 {
+  check_size(mesh);
   if (is_closed(mesh))
     CGAL::Polygon_mesh_processing::orient_to_bound_a_volume(mesh);
   auto face_of_triangle = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part_face").first;

@@ -29,6 +29,7 @@ struct Step_part
 };
 
 /// \param mesh of triangles
+/// \throws Standard_Failure by OpenCASCADE, and for a part smaller than .001 or larger than 1e12
 Step_part make_step_part(Mesh mesh);
 
 } // namespace mesh_to_step
