@@ -203,11 +203,12 @@ TEST_F(Mesh_properties_program, borders_of_sets_are_constraints)
 /// Colors and textures are no reason to refuse a mesh.
 TEST_F(Mesh_properties_program, colors_and_textures_may_be_wrong)
 {
-  folder.write("a.obj", "v 0 0 0 nan 1 x\nv 1 0 0 1\nv 0 1 0 1 2\nvt x\nvt 1e999 0 0\n"
-                        "f 1/7 2/x 3/-9\nf 1/ 2/99999999999999999999 3/0\n");
+  folder.write("a.obj",
+               "v 0 0 0 nan 1 x\nv 1 0 0 1\nv 0 1 0 1e300 -1e300 2\nvt x\nvt 1e300 -1e300 0\n"
+               "f 1/7 2/x 3/-9\nf 1/ 2/99999999999999999999 3/0\n");
   const std::string
     header = " 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-             "property float z\nproperty float red\nproperty list uchar float blue\n"
+             "property float z\nproperty double red\nproperty list uchar float blue\n"
              "element face 1\nproperty list uchar int vertex_indices\n"
              "property list uchar float texcoord\nend_header\n";
   folder.write("a.ply", "ply\nformat ascii" + header +
@@ -217,7 +218,9 @@ TEST_F(Mesh_properties_program, colors_and_textures_may_be_wrong)
     for (const char* format : {"obj", "ply", "glb", "off", "vtp"}) {
       const Outcome outcome = run(file + " -k 1 -q -o b." + format);
       EXPECT_EQ(outcome.status, 0) << file << " " << outcome.err;
-      EXPECT_EQ(folder.read(std::string("b.") + format).find("nan"), std::string::npos) << file;
+      const std::string bytes = folder.read(std::string("b.") + format);
+      for (const char* wrong : {"nan", "inf", "null", "e+"})
+        EXPECT_EQ(bytes.find(wrong), std::string::npos) << file << " " << format;
     }
 }
 

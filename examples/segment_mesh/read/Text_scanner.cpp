@@ -3,6 +3,7 @@
 #include "read/Text_scanner.h"
 
 #include "read/errors.h"
+#include "soup/Mesh_properties.h"
 
 #include <algorithm>
 #include <charconv>
@@ -174,7 +175,7 @@ double number_or_zero(std::string_view word)
   word.remove_prefix(!word.empty() && word[0] == '+' ? 1 : 0);
   double value = 0;
   from_chars(word.data(), word.data() + word.size(), value);
-  return std::isfinite(value) ? value : 0;
+  return usable_value(value);
 }
 
 bool is_word(std::string_view word, std::string_view expected)

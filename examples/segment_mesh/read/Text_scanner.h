@@ -71,8 +71,8 @@ private:
   std::size_t m_line_number = 1, m_next_line_number = 1;
 };
 
-/// The value of a word; 0 if it is not a finite number. For colors and textures, which are no
-/// reason to refuse a mesh.
+/// The value of a word; 0 if it is not a number, or one too large. For colors and textures, which
+/// are no reason to refuse a mesh.
 double number_or_zero(std::string_view word);
 /// Whether a word is the expected one, which has small letters. Some programs write capitals.
 bool is_word(std::string_view word, std::string_view expected);

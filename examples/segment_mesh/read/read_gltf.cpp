@@ -213,7 +213,7 @@ private:
     for (std::size_t i = 0; i < numbers.size(); i += step) {
       Value& value = result.values.emplace_back();
       for (std::size_t j = 0; j < Size; ++j)
-        value[j] = convert(std::isfinite(numbers[i + j]) ? numbers[i + j] : 0);
+        value[j] = convert(usable_value(numbers[i + j]));
     }
     const std::vector<Polygons::Index>& corners = m_soup.polygons.corners();
     result.of_corner.resize(first_corner, result.none);

@@ -324,8 +324,7 @@ private:
   /// Of a color or texture: 0 where it is not a finite number.
   double number(const Ply_property& property)
   {
-    const double value = m_is_text ? number_or_zero(word()) : take<double>(property.type);
-    return std::isfinite(value) ? value : 0;
+    return m_is_text ? number_or_zero(word()) : usable_value(take<double>(property.type));
   }
 
   double coordinate(const Ply_property& property)

@@ -95,6 +95,13 @@ struct Mesh_properties
   }
 };
 
+/// What is read of a color or texture; 0 for what is not finite as a float, either.
+inline double usable_value(double x)
+{
+  constexpr double most = 1e30;
+  return std::fabs(x) <= most ? x : 0;
+}
+
 /// \name A channel of a color from 0 to 1
 /// @{
 inline double linear_from_srgb(double s)
