@@ -67,6 +67,13 @@ const std::vector<std::string>& output_format_names()
   return names;
 }
 
+bool has_names(Output_format format)
+{
+  return format == Output_format::OBJ || format == Output_format::STL ||
+         format == Output_format::GLB || format == Output_format::THREE_MF ||
+         format == Output_format::MSH;
+}
+
 std::string with_segment(std::string file, const std::string& number)
 {
   const std::string placeholder = segment_placeholder;

@@ -64,6 +64,9 @@ std::string material_library(const Output& output);
 /// The formats by the words for them, in the order of `Output_format`.
 const std::vector<std::string>& output_format_names();
 
+/// Whether meshes in this format have the names of their segments.
+bool has_names(Output_format format);
+
 /// An output in `format`, or in the one that the ending of `file` names in upper or lower case,
 /// before a last ".gz" for a compressed one. Solids that are asked for are segments where the
 /// format is not of meshes, and so is what is to be painted but in a format other than .3mf.

@@ -219,7 +219,9 @@ Remarks write_segmentation(const Output& output, const Result& result)
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)
     solids = result.details.solids();
-  const std::vector<std::string> names = result.details.names();
+  std::vector<std::string> names;
+  if (has_names(output.format) && output.content != Output_content::BORDERS)
+    names = result.details.names(); // those of smooth faces take time
   const Labelled_mesh mesh = solids ? Labelled_mesh{solids->soup, solids->segment_of_face, names}
                                     : Labelled_mesh{result.input.soup,
                                                     result.segmentation.segment_of_face, names,
