@@ -19,13 +19,7 @@ class Face_set_builder
 {
 public:
   /// The faces from `next_face` on are of the set of this name.
-  void start(const std::string& name, std::size_t next_face)
-  {
-    const auto [set, is_new] = m_sets.emplace(name, m_names.size());
-    if (is_new)
-      m_names.push_back(name.empty() ? unnamed : name);
-    add(set->second, next_face);
-  }
+  void start(const std::string& name, std::size_t next_face) { add(set_of(name), next_face); }
 
   /// The same, of a set of its own, whatever the names of others.
   void start_new(const std::string& name, std::size_t next_face)
@@ -40,11 +34,8 @@ public:
     Face_sets result;
     if (m_starts.empty())
       return result;
-    if (m_starts.front().second > 0) {
-      start("", number_of_faces);
-      m_starts.insert(m_starts.begin(), {m_starts.back().first, 0});
-      m_starts.pop_back();
-    }
+    if (m_starts.front().second > 0)
+      m_starts.insert(m_starts.begin(), {set_of(""), 0});
     for (std::size_t i = 0; i < m_starts.size(); ++i)
       result.set_of_face.resize(i + 1 < m_starts.size() ? m_starts[i + 1].second : number_of_faces,
                                 Polygons::Index(m_starts[i].first));
@@ -54,6 +45,14 @@ public:
 
 private:
   static inline const std::string unnamed = "unnamed";
+
+  std::size_t set_of(const std::string& name)
+  {
+    const auto [set, is_new] = m_sets.emplace(name, m_names.size());
+    if (is_new)
+      m_names.push_back(name.empty() ? unnamed : name);
+    return set->second;
+  }
 
   void add(std::size_t set, std::size_t next_face)
   {

@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -44,7 +43,7 @@ public:
     try {
       m_gltf.open();
       read_nodes();
-      finish_properties(m_input.remarks);
+      finish_properties();
     } catch (const Json::out_of_range& error) {
       const std::string cause = error.what(); // "[json.exception.out_of_range.403] key 'x' not
                                               // found"
@@ -176,29 +175,36 @@ private:
       corners.push_back(first + std::size_t(index));
     const std::size_t first_corner = m_soup.polygons.corners().size();
     add_triangles(corners, mode, to_world.linear().determinant() < 0);
-    add_properties(primitive, first, first_corner);
+    try_properties([&] { add_properties(primitive, first, first_corner); });
   }
 
-  /// Of the points from `first` on and the corners from `first_corner` on: what they have beside
-  /// positions. What is wrong with it is no reason to refuse the mesh.
-  void add_properties(const Json& primitive, std::size_t first, std::size_t first_corner)
+  /// What is wrong with properties is no reason to refuse the mesh.
+  template <typename Read>
+  void try_properties(const Read& read)
   {
-    Mesh_properties& properties = m_input.properties;
-    const Json& attributes = primitive["attributes"];
     try {
-      m_materials.resize(m_soup.polygons.size(), m_gltf.member(primitive, "material", no_material));
-      if (attributes.contains("COLOR_0"))
-        for (const char* type : {"VEC3", "VEC4"})
-          add_values<3>(attributes["COLOR_0"], type, first, first_corner, properties.colors,
-                        [](double x) { return float(srgb_from_linear(x)); });
-      if (attributes.contains("TEXCOORD_0"))
-        add_values<2>(attributes["TEXCOORD_0"], "VEC2", first, first_corner, properties.texture,
-                      [](double x) { return x; });
+      read();
     } catch (const Input_error&) {
       m_has_wrong_properties = true;
     } catch (const Json::exception&) {
       m_has_wrong_properties = true;
     }
+  }
+
+  /// Of the points from `first` on and the corners from `first_corner` on: what they have beside
+  /// positions.
+  void add_properties(const Json& primitive, std::size_t first, std::size_t first_corner)
+  {
+    Mesh_properties& properties = m_input.properties;
+    const Json& attributes = primitive["attributes"];
+    m_materials.resize(m_soup.polygons.size(), m_gltf.member(primitive, "material", no_material));
+    if (attributes.contains("COLOR_0"))
+      for (const char* type : {"VEC3", "VEC4"})
+        add_values<3>(attributes["COLOR_0"], type, first, first_corner, properties.colors,
+                      [](double x) { return float(srgb_from_linear(x)); });
+    if (attributes.contains("TEXCOORD_0"))
+      add_values<2>(attributes["TEXCOORD_0"], "VEC2", first, first_corner, properties.texture,
+                    [](double x) { return x; });
   }
 
   /// Of an accessor, if it is of this type: the first `Size` numbers of each of its elements.
@@ -223,7 +229,7 @@ private:
     }
   }
 
-  void finish_properties(Remarks& remarks)
+  void finish_properties()
   {
     Mesh_properties& properties = m_input.properties;
     for (auto& point : properties.texture.values)
@@ -234,16 +240,10 @@ private:
     if (!properties.colors.empty())
       properties.colors.of_corner.resize(number_of_corners, properties.colors.none);
     properties.of(Set_kind::GROUPS) = m_nodes.build(m_soup.polygons.size());
-    try {
-      if (m_gltf.json().contains("materials") && !m_gltf.json()["materials"].empty())
-        add_materials();
-    } catch (const Input_error&) {
-      m_has_wrong_properties = true;
-    } catch (const Json::exception&) {
-      m_has_wrong_properties = true;
-    }
+    if (m_gltf.json().contains("materials") && !m_gltf.json()["materials"].empty())
+      try_properties([&] { add_materials(); });
     if (m_has_wrong_properties)
-      remarks.push_back(
+      m_input.remarks.push_back(
         m_gltf.name() +
         ": colors, texture coordinates or materials that are not as in glTF are left out");
   }

@@ -394,10 +394,10 @@ private:
   {
     auto& [values, of_corner] = m_input.properties.texture;
     const std::size_t end = m_soup.polygons.corners().size(),
-                      size = m_soup.polygons[m_soup.polygons.size() - 1].size();
+                      first = m_soup.polygons.first_corner(m_soup.polygons.size() - 1);
     of_corner.resize(end, Corner_values<double>::none);
-    for (std::size_t i = 0; i < size && 2 * i + 1 < m_texture.size(); ++i) {
-      of_corner[end - size + i] = Polygons::Index(values.size());
+    for (std::size_t i = 0; first + i < end && 2 * i + 1 < m_texture.size(); ++i) {
+      of_corner[first + i] = Polygons::Index(values.size());
       values.push_back({m_texture[2 * i], m_texture[2 * i + 1]});
     }
     m_texture.clear();

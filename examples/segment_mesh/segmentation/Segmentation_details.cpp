@@ -115,14 +115,14 @@ private:
 std::string name_of_face(const Surface_face& face, std::size_t segment)
 {
   using RS::Face_role;
-  const bool is_hole = face.role == Face_role::HOLE, is_boss = face.role == Face_role::BOSS;
-  const std::string name = is_hole                         ? "hole"
-                           : is_boss                       ? "boss"
-                           : face.role == Face_role::BLEND ? "fillet"
-                                                           : name_of(face.surface.kind);
+  const Face_role role = face.role;
+  const std::string name = role == Face_role::NONE    ? name_of(face.surface.kind)
+                           : role == Face_role::BLEND ? "fillet"
+                                                      : name_of(role);
   std::ostringstream result;
   result << name << '_' << segment << std::setprecision(4);
-  if ((is_hole || is_boss) && face.surface.kind == RS::Surface_kind::CYLINDER)
+  if ((role == Face_role::HOLE || role == Face_role::BOSS) &&
+      face.surface.kind == RS::Surface_kind::CYLINDER)
     result << "_r" << face.surface.radius;
   return result.str();
 }

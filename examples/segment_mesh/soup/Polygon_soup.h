@@ -65,8 +65,10 @@ public:
   bool empty() const { return m_ends.empty(); }
   Polygon operator[](std::size_t f) const
   {
-    return {m_corners.data() + (f == 0 ? 0 : m_ends[f - 1]), m_corners.data() + m_ends[f]};
+    return {m_corners.data() + first_corner(f), m_corners.data() + m_ends[f]};
   }
+  /// The place of the first corner of a polygon in `corners()`.
+  std::size_t first_corner(std::size_t f) const { return f == 0 ? 0 : m_ends[f - 1]; }
   const_iterator begin() const { return {*this, 0}; }
   const_iterator end() const { return {*this, size()}; }
 
@@ -102,8 +104,7 @@ public:
   /// Gives a polygon other points, as many as it has.
   void replace(std::size_t f, std::initializer_list<std::size_t> points)
   {
-    std::copy(points.begin(), points.end(),
-              m_corners.begin() + ((*this)[f].begin() - m_corners.data()));
+    std::copy(points.begin(), points.end(), m_corners.begin() + std::ptrdiff_t(first_corner(f)));
   }
 
   /// Replaces each index `i` of a point by `new_index(i)`.

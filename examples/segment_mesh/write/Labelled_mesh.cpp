@@ -33,7 +33,7 @@ Corner_values<Value> extract_values(const Corner_values<Value>& all, const Polyg
     return result;
   std::vector<std::size_t> used;
   for (std::size_t f : faces)
-    for (std::size_t i = 0, first = first_corner(polygons, f); i < polygons[f].size(); ++i) {
+    for (std::size_t i = 0, first = polygons.first_corner(f); i < polygons[f].size(); ++i) {
       const Polygons::Index place = all.of_corner[first + i];
       result.of_corner.push_back(place);
       if (place != all.none)
@@ -49,11 +49,6 @@ Corner_values<Value> extract_values(const Corner_values<Value>& all, const Polyg
 }
 
 } // namespace
-
-std::size_t first_corner(const Polygons& polygons, std::size_t f)
-{
-  return std::size_t(polygons[f].begin() - polygons.corners().data());
-}
 
 std::string singular(Set_kind kind)
 {
@@ -124,15 +119,20 @@ Mesh_part extract_faces(const Labelled_mesh& mesh, const std::vector<std::size_t
   return part;
 }
 
-void add_triangles(const Polygon_soup& soup, const Polygon_soup::Polygon& polygon,
-                   Triangles& triangles)
+Face_triangles triangulate_faces(const Polygon_soup& soup)
 {
-  const auto first = std::ptrdiff_t(triangles.size());
-  triangulate_polygon(soup.points, polygon, triangles);
-  triangles.erase(
-    std::remove_if(triangles.begin() + first, triangles.end(),
-                   [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
-    triangles.end());
+  Face_triangles result;
+  Triangles& triangles = result.triangles;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    const auto first = std::ptrdiff_t(triangles.size());
+    triangulate_polygon(soup.points, soup.polygons[f], triangles);
+    triangles.erase(
+      std::remove_if(triangles.begin() + first, triangles.end(),
+                     [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+      triangles.end());
+    result.face_of_triangle.resize(triangles.size(), f);
+  }
+  return result;
 }
 
 std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh)
@@ -140,15 +140,11 @@ std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh)
   std::vector<Segment_triangles> result;
   const auto faces = faces_of_segments(mesh.segment_of_face);
   for (std::size_t segment = 0; segment + 1 < faces.size(); ++segment) {
-    Segment_triangles triangles{
-      mesh.name(segment), segment_color(segment), extract_faces(mesh, faces[segment]), {}, {}};
-    const Polygon_soup& soup = triangles.part.soup;
-    for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-      add_triangles(soup, soup.polygons[f], triangles.triangles);
-      triangles.face_of_triangle.resize(triangles.triangles.size(), f);
-    }
+    Mesh_part part = extract_faces(mesh, faces[segment]);
+    Face_triangles triangles = triangulate_faces(part.soup);
     if (!triangles.triangles.empty())
-      result.push_back(std::move(triangles));
+      result.push_back(
+        {std::move(triangles), mesh.name(segment), segment_color(segment), std::move(part)});
   }
   return result;
 }

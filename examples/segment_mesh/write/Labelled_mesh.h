@@ -35,9 +35,6 @@ struct Labelled_mesh
 std::vector<std::vector<std::size_t>>
 faces_of_segments(const std::vector<std::size_t>& segment_of_face);
 
-/// Of a polygon, among all corners.
-std::size_t first_corner(const Polygons& polygons, std::size_t f);
-
 /// A part of a mesh.
 struct Mesh_part
 {
@@ -49,18 +46,22 @@ struct Mesh_part
 /// corners.
 Mesh_part extract_faces(const Labelled_mesh& mesh, const std::vector<std::size_t>& faces);
 
-/// Adds the triangles of a polygon that have three different points.
-void add_triangles(const Polygon_soup& soup, const Polygon_soup::Polygon& polygon,
-                   Triangles& triangles);
+/// Of polygons, those that have three different points.
+struct Face_triangles
+{
+  Triangles triangles;
+  std::vector<std::size_t> face_of_triangle;
+};
 
-/// A segment as a part of its own.
-struct Segment_triangles
+/// In the order of the polygons.
+Face_triangles triangulate_faces(const Polygon_soup& soup);
+
+/// A segment as a part of its own, with at least one triangle.
+struct Segment_triangles : Face_triangles
 {
   std::string name;
   Color color;
   Mesh_part part;
-  Triangles triangles;                       ///< at least one; each has three different points
-  std::vector<std::size_t> face_of_triangle; ///< of the part
 };
 
 /// All segments with a face of at least three different points.

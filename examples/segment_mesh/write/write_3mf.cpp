@@ -129,23 +129,19 @@ std::string paint_of_extruder(std::size_t extruder)
 void write_painted_model(std::ostream& out, const Labelled_mesh& mesh)
 {
   constexpr std::size_t number_of_extruders = 15; // the most that the slicer knows
-  Triangles triangles;
-  std::vector<std::size_t> segments;
-  for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
-    add_triangles(mesh.soup, mesh.soup.polygons[f], triangles);
-    segments.resize(triangles.size(), mesh.segment_of_face[f]);
-  }
+  const auto [triangles, face_of_triangle] = triangulate_faces(mesh.soup);
   Text_buffer text(out);
   text << xml_start << model_start
        << " xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\">\n"
           "<metadata name=\"slic3rpe:Version3mf\">1</metadata>\n"
           "<metadata name=\"slic3rpe:MmPaintingVersion\">1</metadata>\n"
           "<resources>\n<object id=\"1\" type=\"model\">\n";
-  write_triangles(text, mesh.soup.points, triangles, [&](std::size_t t) {
-    return segments[t] == RS::no_segment
+  write_triangles(text, mesh.soup.points, triangles, [&, &faces = face_of_triangle](std::size_t t) {
+    const std::size_t segment = mesh.segment_of_face[faces[t]];
+    return segment == RS::no_segment
              ? ""
              : " slic3rpe:mmu_segmentation=\"" +
-                 paint_of_extruder(1 + segments[t] % number_of_extruders) + "\"";
+                 paint_of_extruder(1 + segment % number_of_extruders) + "\"";
   });
   text << "</object>\n</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n</model>\n";
 }

@@ -30,8 +30,9 @@ using nlohmann::ordered_json;
 /// With vertices of glTF.
 struct Shaded_triangles
 {
-  std::vector<Point> points, normals, colors;
-  std::vector<Mesh_properties::Texture_point> texture; ///< v is down
+  std::vector<Point> points, normals;
+  std::vector<Point> colors;                           ///< empty if there are none
+  std::vector<Mesh_properties::Texture_point> texture; ///< the same; v is down
   Triangles triangles;
 };
 
@@ -85,7 +86,7 @@ Value value_at(const Corner_values<Value>& values, const Polygons& polygons, std
     return otherwise;
   const Polygon_soup::Polygon& polygon = polygons[face];
   return values.at(
-    first_corner(polygons, face) +
+    polygons.first_corner(face) +
       std::size_t(std::find(polygon.begin(), polygon.end(), point) - polygon.begin()),
     otherwise);
 }
@@ -109,9 +110,11 @@ Shaded_triangles shade(const Segment_triangles& segment)
       if (is_new) {
         result.points.push_back(soup.points[i]);
         result.normals.push_back(normal);
-        result.texture.push_back({texture[0], 1 - texture[1]});
-        result.colors.push_back(
-          {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])});
+        if (!properties.texture.empty())
+          result.texture.push_back({texture[0], 1 - texture[1]});
+        if (!properties.colors.empty())
+          result.colors.push_back(
+            {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])});
       }
       i = vertex->second;
     }

@@ -43,15 +43,12 @@ void write_nodes(Text_buffer& text, const std::vector<Point>& points)
 void write_elements(Text_buffer& text, const Polygon_soup& soup, const Labelled_mesh& mesh,
                     std::size_t number_of_segments)
 {
-  Triangles triangles;
-  std::vector<std::size_t> segments;
-  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    add_triangles(soup, soup.polygons[f], triangles);
-    segments.resize(triangles.size(), (std::min)(mesh.segment_of_face[f], number_of_segments));
-  }
+  const auto [triangles, face_of_triangle] = triangulate_faces(soup);
   text << "$Elements\n" << triangles.size() << "\n";
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const std::size_t surface = segments[i] + 1, group = surface > number_of_segments ? 0 : surface;
+    const std::size_t segment = mesh.segment_of_face[face_of_triangle[i]],
+                      surface = (std::min)(segment, number_of_segments) + 1,
+                      group = surface > number_of_segments ? 0 : surface;
     text << i + 1 << " 2 2 " << group << " " << surface; // a triangle with two numbers
     for (const Polygons::Index point : triangles[i])
       text << " " << point + 1;

@@ -41,7 +41,7 @@ void write_obj_face(Text_buffer& text, const Labelled_mesh& mesh, std::size_t fa
 {
   const auto& texture = mesh.properties.texture;
   const Polygon_soup::Polygon& polygon = mesh.soup.polygons[face];
-  const std::size_t first = first_corner(mesh.soup.polygons, face);
+  const std::size_t first = mesh.soup.polygons.first_corner(face);
   text << "f";
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     text << " " << polygon[i] + 1;
