@@ -93,7 +93,7 @@ cat >"$doc/Doxyfile.in" <<'END'
 PROJECT_NAME = "CGAL ${CGAL_DOC_VERSION} - Region Segmentation"
 INPUT = ${CGAL_PACKAGE_DOC_DIR} \
         ${CGAL_PACKAGE_INCLUDE_DIR}/CGAL
-EXCLUDE = ${CGAL_PACKAGE_INCLUDE_DIR}/CGAL/Region_segmentation/parameters.h
+EXCLUDE = ${CGAL_PACKAGE_INCLUDE_DIR}/CGAL/Region_segmentation/Support/parameters.h
 EXCLUDE_PATTERNS = */internal/*
 EXCLUDE_SYMBOLS = *internal* *internal_np*
 EXTRACT_STATIC = YES

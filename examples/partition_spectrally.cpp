@@ -8,10 +8,10 @@
 
 #include "example_mesh.h"
 
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <Eigen/Dense>

@@ -4,7 +4,7 @@
 
 #include "example_mesh.h"
 
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/region_segmentation_stages.h>
 
 #include <iterator>

@@ -5,7 +5,7 @@
 
 #include "example_mesh.h"
 
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/region_segmentation.h>
 
 #include <boost/graph/breadth_first_search.hpp>

@@ -5,13 +5,13 @@
 
 #include "example_mesh.h"
 
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/number_choosers.h>
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/number_choosers.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 
 #include <gtest/gtest.h>
 

@@ -2,16 +2,16 @@
 
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <memory>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <random>
 #include <set>
 #include <vector>

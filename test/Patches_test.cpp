@@ -3,10 +3,10 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Patches.h>
-#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Graph/Patches.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "oracles.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <boost/concept/assert.hpp>
 #include <boost/graph/connected_components.hpp>

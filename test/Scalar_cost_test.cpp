@@ -4,14 +4,14 @@
 
 #include "meshes.h"
 
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
-#include <CGAL/Region_segmentation/Methods/Superfacet_merging.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Superfacets/Superfacet_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 

@@ -4,12 +4,12 @@
 #include "oracles.h"
 #include "user_method.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>

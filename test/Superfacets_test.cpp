@@ -3,13 +3,13 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Methods/Superfacets.h>
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/internal/superfacets/Farthest_point_seeding.h>
-#include <CGAL/Region_segmentation/internal/superfacets/Patch_builder.h>
-#include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Superfacets/Superfacets.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Farthest_point_seeding.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
-#include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
+#include <CGAL/Region_segmentation/Surface/internal/Polygon_input.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

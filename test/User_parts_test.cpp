@@ -5,7 +5,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 

@@ -3,9 +3,9 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/evaluation.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>

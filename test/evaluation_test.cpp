@@ -2,7 +2,7 @@
 
 #include "meshes.h"
 
-#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,9 +3,9 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/face_values.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
 
 #include <gtest/gtest.h>
 

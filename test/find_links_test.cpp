@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/surface/find_links.h>
-#include <CGAL/Region_segmentation/internal/surface/orient_components.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
+#include <CGAL/Region_segmentation/Surface/internal/find_links.h>
+#include <CGAL/Region_segmentation/Surface/internal/orient_components.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>

@@ -9,11 +9,11 @@
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 
 #include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>

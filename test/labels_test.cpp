@@ -3,7 +3,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Evaluation/labels.h>
 
 #include <gtest/gtest.h>
 

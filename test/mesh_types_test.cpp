@@ -23,14 +23,14 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>

@@ -9,11 +9,11 @@
 #include "reference_two_step.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/boost/graph/properties.h>
 

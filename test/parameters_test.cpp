@@ -5,12 +5,12 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Support/version.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/version.h>
 
 #include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include "oracles.h"
 
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 
 #include <gtest/gtest.h>
 

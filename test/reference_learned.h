@@ -5,7 +5,7 @@
 
 #include "reference_visibility.h"
 
-#include <CGAL/Region_segmentation/internal/model/learned_merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/learned_merge_model.h>
 
 #include <cstdint>
 

@@ -6,8 +6,8 @@
 #include "oracles.h"
 #include "reference_two_step.h"
 
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/iterator.h>

@@ -6,21 +6,21 @@
 #include "oracles.h"
 #include "user_method.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/face_values.h>
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <initializer_list>
+#include <limits>
 #include <limits>
 #include <random>
 #include <set>

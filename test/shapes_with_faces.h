@@ -5,7 +5,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_SHAPES_WITH_FACES_H
 #define CGAL_REGION_SEGMENTATION_TEST_SHAPES_WITH_FACES_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
 
 #include <array>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/internal/superfacets/Border_cut.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Border_cut.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>

@@ -3,11 +3,11 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Hierarchy.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
-#include <CGAL/Region_segmentation/internal/surface/smooth_noise.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Graph/Hierarchy.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/smooth_noise.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 

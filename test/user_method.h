@@ -5,11 +5,11 @@
 
 // A method as a user writes it, of public functions alone.
 
-#include <CGAL/Region_segmentation/Hierarchy.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Graph/Hierarchy.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 
 #include <cstddef>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include "../example_mesh.h"
 
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <limits>
 #include <set>

@@ -5,8 +5,8 @@
 
 #include "../example_mesh.h"
 
-#include <CGAL/Region_segmentation/evaluation.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
 #include <CGAL/region_segmentation.h>
 
 #include <CGAL/mesh_segmentation.h>

@@ -5,7 +5,7 @@
 
 #include "../example_mesh.h"
 
-#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Superfacets/Scalar_cost.h>
 #include <CGAL/region_segmentation.h>
 
 namespace RS = CGAL::Region_segmentation;

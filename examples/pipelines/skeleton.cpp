@@ -5,8 +5,8 @@
 
 #include "../example_mesh.h"
 
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
 #include <CGAL/region_segmentation.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "segmentation/Any_segmenter.h"
 #include "soup/make_soup.h"
 
-#include <CGAL/Region_segmentation/version.h>
+#include <CGAL/Region_segmentation/Support/version.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -3,12 +3,12 @@
 // The program in a web worker: reads a mesh from the bytes of a file, segments it, and writes it.
 // Answers are objects for worker.js; one with `error` holds the reason for a user.
 
+#include "page/page_data.h"
 #include "read/errors.h"
 #include "read/read_mesh.h"
 #include "write/write_mesh.h"
-#include "page/page_data.h"
 
-#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>

@@ -6,13 +6,13 @@
 /// \file region_segmentation_stages.h
 /// The stages of a segmentation, one by one.
 
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
 #endif // CGAL_REGION_SEGMENTATION_STAGES_H

@@ -4,16 +4,16 @@
 
 #include "concepts/Face_graph_archetype.h"
 
-#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/labels.h>
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
-#include <CGAL/Region_segmentation/evaluation.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN

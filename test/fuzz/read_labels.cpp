@@ -4,7 +4,7 @@
 
 #include "require.h"
 
-#include <CGAL/Region_segmentation/IO/labels.h>
+#include <CGAL/Region_segmentation/Evaluation/labels.h>
 
 #include <cstdint>
 #include <sstream>

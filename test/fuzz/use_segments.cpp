@@ -7,15 +7,15 @@
 #include "mesh_from.h"
 #include "require.h"
 
-#include <CGAL/region_segmentation.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
+#include <CGAL/region_segmentation.h>
 
 #include <algorithm>
 #include <iterator>

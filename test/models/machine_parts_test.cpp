@@ -5,8 +5,8 @@
 #include "models/machine_parts.h"
 #include "soup/link_corners.h"
 
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -24,8 +24,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Nothing of these is executed, or only to say what is wrong.
-NOT_BROKEN = ("internal/model/learned_merge_model.h", "parameters.h", "version.h",
-              "exceptions.h")
+NOT_BROKEN = ("Superfacets/internal/learned_merge_model.h", "Support/parameters.h", "Support/version.h",
+              "Support/exceptions.h")
 # They affect time and progress alone.
 TIME_ONLY = re.compile(r"reserve\(|\.advance\(|report|shrink_to_fit|madvise")
 SWAPS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+", "&&": "||", "||": "&&",

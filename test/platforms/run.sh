@@ -64,7 +64,7 @@ g++ -O1 -std=c++17 -I test -I examples/segment_mesh test/platforms/write_meshes.
 # -ffp-contract=off, too.
 build()
 {
-  echo '#include <CGAL/Region_segmentation/Double_3.h>' >"$work/$1/refused.cpp"
+  echo '#include <CGAL/Region_segmentation/Support/Double_3.h>' >"$work/$1/refused.cpp"
   ! $(column "$1" 3) -ffast-math -fsyntax-only -I include "$work/$1/refused.cpp" 2>"$work/$1/refused" &&
     grep 'compile without -ffast-math' "$work/$1/refused" || return 1
   $(column "$1" 3) -std=c++17 -ffp-contract=off -DNDEBUG -DCGAL_DISABLE_GMP -DCGAL_NO_GMP ${CXXFLAGS:-} \

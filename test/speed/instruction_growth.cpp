@@ -5,8 +5,8 @@
 
 #include "shapes.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>

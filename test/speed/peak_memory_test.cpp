@@ -6,7 +6,7 @@
 #include "make_mesh.h"
 #include "make_triangles.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>

@@ -6,10 +6,10 @@
 #include "make_mesh.h"
 #include "make_triangles.h"
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/tags.h>

@@ -6,16 +6,16 @@
 // Every function and every part of a method once, so that a compiler sees all of the library: for
 // warnings and for other versions of CGAL, language standards and compilers.
 
-#include <CGAL/Region_segmentation/IO/labels.h>
-#include <CGAL/Region_segmentation/Methods/Scalar_cost.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/labels.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
 #include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
-#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/Superfacets/Scalar_cost.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN

@@ -11,7 +11,7 @@
 #include "read/read_mesh.h"
 #include "write/write_segmentation.h"
 
-#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
 
 #include <algorithm>
 #include <cerrno>

@@ -7,7 +7,7 @@
 #include "read/load_bytes.h"
 #include "segmentation/Manifold.h"
 
-#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 
 #include <boost/property_map/property_map.hpp>
 

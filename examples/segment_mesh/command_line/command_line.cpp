@@ -5,7 +5,7 @@
 #include "read/errors.h"
 #include "view/choose_viewpoint.h"
 
-#include <CGAL/Region_segmentation/version.h>
+#include <CGAL/Region_segmentation/Support/version.h>
 
 #include <CLI/CLI.hpp>
 

@@ -4,19 +4,19 @@
 
 #include "segmentation/Manifold.h"
 
-#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
-#include <CGAL/Region_segmentation/make_surface.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
 #include <boost/property_map/property_map.hpp>
 

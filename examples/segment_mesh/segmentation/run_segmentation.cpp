@@ -6,13 +6,13 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
-#include <CGAL/Region_segmentation/smooth_borders.h>
 
 #include <boost/property_map/property_map.hpp>
 

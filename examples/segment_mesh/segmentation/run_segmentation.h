@@ -7,7 +7,7 @@
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 
 #include <cstddef>
 #include <cstdint>

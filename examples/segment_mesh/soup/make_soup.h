@@ -7,7 +7,7 @@
 #include "soup/Polygon_soup.h"
 #include "soup/vector_algebra.h"
 
-#include <CGAL/Region_segmentation/exceptions.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
 
 #include <cstddef>
 #include <sstream>

@@ -7,7 +7,7 @@
 #include "write/write_segmentation.h"
 
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
-#include <CGAL/Region_segmentation/version.h>
+#include <CGAL/Region_segmentation/Support/version.h>
 
 #include <nlohmann/json.hpp>
 

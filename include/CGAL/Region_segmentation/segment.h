@@ -3,13 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_H
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Face_graph_input.h>
-#include <CGAL/Region_segmentation/internal/segmenting/Polygon_input.h>
-#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Graph/internal/run_method.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
+#include <CGAL/Region_segmentation/Surface/internal/Polygon_input.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/tags.h>
 

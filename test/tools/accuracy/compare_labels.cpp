@@ -2,7 +2,7 @@
 
 #include "compare_labels.h"
 
-#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 
 namespace princeton_benchmark {
 

@@ -9,9 +9,9 @@
 
 #include "read/errors.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 
 #include <CGAL/Simple_cartesian.h>
 

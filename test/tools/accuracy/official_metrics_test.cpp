@@ -7,7 +7,7 @@
 
 #include "Princeton_data.h"
 
-#include <CGAL/Region_segmentation/evaluation.h>
+#include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,10 +3,10 @@
 #include "segment_with.h"
 #include "thread_seconds.h"
 
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>

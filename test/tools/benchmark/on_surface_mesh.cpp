@@ -4,9 +4,9 @@
 #include "cgal_methods.h"
 #include "run_on_mesh.h"
 
-#include <CGAL/Region_segmentation/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/grow_regions.h>
+#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
+#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
+#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/iterator.h>
 

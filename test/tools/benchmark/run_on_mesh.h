@@ -8,8 +8,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Region_segmentation/Methods/Two_step.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/tags.h>

@@ -2,7 +2,7 @@
 
 #include "Model_score.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 
 #include <algorithm>
 #include <cmath>

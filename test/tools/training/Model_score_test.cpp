@@ -7,8 +7,8 @@
 #include "Benchmark_mesh.h"
 #include "model_sources.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>

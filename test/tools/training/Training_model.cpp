@@ -2,10 +2,10 @@
 
 #include "Training_model.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Methods/Visibility_merging.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/merge_regions.h>
+#include <CGAL/Region_segmentation/Graph/merge_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <map>
 #include <utility>

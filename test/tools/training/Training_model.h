@@ -8,8 +8,8 @@
 #include "model_sources.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <cstddef>
 #include <string>

@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_TRAINING_ROWS_H
 #define CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_TRAINING_ROWS_H
 
-#include <CGAL/Region_segmentation/Methods/Merge_features.h>
+#include <CGAL/Region_segmentation/Superfacets/Merge_features.h>
 
 #include <cstddef>
 #include <vector>

@@ -16,10 +16,10 @@
 #include "training_sources_hash.h"
 #include "write_model.h"
 
-#include "write/Whole_file.h"
 #include "read/errors.h"
+#include "write/Whole_file.h"
 
-#include <CGAL/Region_segmentation/Methods/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 
 #include <CLI/CLI.hpp>
 

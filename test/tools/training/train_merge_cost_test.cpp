@@ -5,7 +5,7 @@
 #include "Training_rows.h"
 #include "write_model.h"
 
-#include <CGAL/Region_segmentation/evaluation/overlap_measures.h>
+#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr const char* head = R"(// SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
-#define CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
+#ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
+#define CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 
-#include <CGAL/Region_segmentation/internal/model/Merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Merge_model.h>
 
 // Generated; a new training is a new version of the method.
 //
@@ -26,7 +26,7 @@ constexpr const char* foot = R"(
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_INTERNAL_MODEL_LEARNED_MERGE_MODEL_H
+#endif // CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 )";
 
 /// Breaks a line before it exceeds the width of the package.

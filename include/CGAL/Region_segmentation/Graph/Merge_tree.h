@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
 #define CGAL_REGION_SEGMENTATION_GRAPH_MERGE_TREE_H
 
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <CGAL/assertions.h>
 

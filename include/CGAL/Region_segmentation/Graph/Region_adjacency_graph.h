@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_REGION_ADJACENCY_GRAPH_H
 
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
-#include <CGAL/Region_segmentation/internal/graph/Section_lists.h>
+#include <CGAL/Region_segmentation/Graph/internal/Section_lists.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -335,6 +335,6 @@ struct hash<CGAL::Region_segmentation::Section_descriptor>
 };
 } // namespace std
 
-#include <CGAL/Region_segmentation/internal/graph/region_graph_bgl.h>
+#include <CGAL/Region_segmentation/Graph/internal/region_graph_bgl.h>
 
 #endif // CGAL_REGION_SEGMENTATION_GRAPH_REGION_ADJACENCY_GRAPH_H

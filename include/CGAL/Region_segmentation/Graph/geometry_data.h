@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_GRAPH_GEOMETRY_DATA_H
 #define CGAL_REGION_SEGMENTATION_GRAPH_GEOMETRY_DATA_H
 
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_FITTED_SURFACE_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_FITTED_SURFACE_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,19 +3,19 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_SMOOTH_FACES_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_SMOOTH_FACES_H
 
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Hierarchy.h>
-#include <CGAL/Region_segmentation/Methods/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Methods/number_choosers.h>
+#include <CGAL/Region_segmentation/Graph/Hierarchy.h>
+#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/internal/run_method.h>
+#include <CGAL/Region_segmentation/Graph/number_choosers.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
-#include <CGAL/Region_segmentation/Partition.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/internal/part_faces/find_face_roles.h>
-#include <CGAL/Region_segmentation/internal/part_faces/find_faces.h>
-#include <CGAL/Region_segmentation/internal/segmenting/run_method.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/requested_regions.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/find_face_roles.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/find_faces.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_PART_FACES_FIND_COMMON_SURFACES_H
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
-#include <CGAL/Region_segmentation/Surface.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,16 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_FIND_PART_FACES_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_FIND_PART_FACES_H
 
-#include <CGAL/Region_segmentation/Execution.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
-#include <CGAL/Region_segmentation/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 

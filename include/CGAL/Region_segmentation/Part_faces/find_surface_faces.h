@@ -3,12 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_FIND_SURFACE_FACES_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_FIND_SURFACE_FACES_H
 
-#include <CGAL/Region_segmentation/Execution.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
-#include <CGAL/Region_segmentation/internal/part_faces/coordinate_resolution.h>
-#include <CGAL/Region_segmentation/internal/part_faces/find_faces.h>
-#include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
-#include <CGAL/Region_segmentation/internal/part_faces/surface_evidence.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/coordinate_resolution.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/find_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/surface_evidence.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
 
 #include <CGAL/assertions.h>
 

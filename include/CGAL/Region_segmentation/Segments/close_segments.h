@@ -3,16 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Partition.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segment_caps.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>

@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_COMPUTE_SEGMENT_TOPOLOGY_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_COMPUTE_SEGMENT_TOPOLOGY_H
 
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -6,17 +6,17 @@
 /// \file describe_segments.h
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
-#include <CGAL/Region_segmentation/Double_3.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/part_faces/fit_surface.h>
-#include <CGAL/Region_segmentation/internal/segments/Segment_caps.h>
-#include <CGAL/Region_segmentation/internal/segments/Segment_fitter.h>
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segment_caps.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segment_fitter.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -3,12 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_NEAREST_FACES_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_FIND_NEAREST_FACES_H
 
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/internal/surface/Box_tree.h>
-#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
+#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <algorithm>
 #include <array>

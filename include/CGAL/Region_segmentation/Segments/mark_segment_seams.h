@@ -3,13 +3,13 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_MARK_SEGMENT_SEAMS_H
 
-#include <CGAL/Region_segmentation/Border_cost.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Superfacets/Border_cost.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/assertions.h>
 

@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_BORDERS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SEGMENT_BORDERS_H
 
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -3,10 +3,10 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_SPLIT_INTO_SEGMENTS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_SPLIT_INTO_SEGMENTS_H
 
-#include <CGAL/Region_segmentation/internal/segments/Segmented_mesh.h>
-#include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

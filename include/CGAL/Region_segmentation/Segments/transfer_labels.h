@@ -3,21 +3,21 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_TRANSFER_LABELS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_TRANSFER_LABELS_H
 
-#include <CGAL/Region_segmentation/Double_3.h>
-#include <CGAL/Region_segmentation/Execution.h>
-#include <CGAL/Region_segmentation/Partition.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
-#include <CGAL/Region_segmentation/Surface.h>
-#include <CGAL/Region_segmentation/exceptions.h>
-#include <CGAL/Region_segmentation/face_values.h>
-#include <CGAL/Region_segmentation/internal/support/arrays.h>
-#include <CGAL/Region_segmentation/internal/support/components.h>
-#include <CGAL/Region_segmentation/internal/support/concept_checks.h>
-#include <CGAL/Region_segmentation/internal/surface/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/internal/surface/read_surface.h>
-#include <CGAL/Region_segmentation/make_surface.h>
-#include <CGAL/Region_segmentation/parameters.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Support/parameters.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
+#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_GRAPH_HIERARCHY_H
+#define CGAL_REGION_SEGMENTATION_GRAPH_HIERARCHY_H
+
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+
+/// \ingroup PkgRegionSegmentationData
+/// The seeds of faces or regions: elements with the same seed belong to one segment, elements with
+/// different seeds to different ones.
+struct Seeds
+{
+  using Index = Partition::Index;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  std::vector<Index> of;           ///< by element: 0 .. number() - 1, or none
+  std::vector<std::size_t> values; ///< the value of each seed in the user's map
+
+  std::size_t number() const { return values.size(); }
+  bool empty() const { return values.empty(); }
+
+  /// Makes seeds from the values of a map; -1 of their type stands for no seed.
+  template <typename Value>
+  static Seeds from_values(const std::vector<Value>& values)
+  {
+    Seeds seeds;
+    seeds.of = internal::number_labels(values, seeds.values);
+    return seeds;
+  }
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// What a user asks of a method: the number of segments, and seeds.
+struct Request
+{
+  /// Whether labels will be asked for all numbers of segments, or for one number alone.
+  enum class Numbers { ALL, ONE };
+
+  std::size_t number_of_segments = 0; ///< 0: chosen by the method
+  Numbers numbers = Numbers::ALL; ///< `ONE`: a method may leave out what only other numbers need
+  Seeds seeds;                    ///< of the faces
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// The result of a method that merges in one order for all numbers of segments: first regions,
+/// their merges, and the number of segments that was given or chosen. It gives the segments for any
+/// number, and these segmentations are nested. Copies share the first regions.
+class Hierarchy
+{
+public:
+  Hierarchy() = default;
+  /// `regions`: the first regions of the faces; `tree`: their merges
+  Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
+    : m_regions(std::make_shared<const Partition>(std::move(regions)))
+    , m_tree(std::move(tree))
+    , m_number(number_of_segments)
+  {}
+
+  const Partition& regions() const { return *m_regions; }
+  const Merge_tree& merge_tree() const { return m_tree; }
+  std::size_t number_of_segments() const { return m_number; }
+
+  /// The segments of the faces: `number` of them, or the nearest number that there is.
+  Composed_partition segments(const Surface&, std::size_t number) const
+  {
+    return Composed_partition(m_regions, m_tree.partition_at_count(number));
+  }
+
+private:
+  std::shared_ptr<const Partition> m_regions = std::make_shared<const Partition>();
+  Merge_tree m_tree;
+  std::size_t m_number = 0;
+};
+
+/// \ingroup PkgRegionSegmentationData
+/// The result of a method whose order of merges depends on the number of segments: a hierarchy for
+/// one number. Its merges end at this number. A method that does not merge pairs of regions gives
+/// its segments as regions, and no merges.
+class Segmentation : public Hierarchy
+{
+public:
+  using Hierarchy::Hierarchy;
+};
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_GRAPH_HIERARCHY_H

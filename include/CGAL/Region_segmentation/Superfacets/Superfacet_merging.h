@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_SUPERFACET_MERGING_H
+#define CGAL_REGION_SEGMENTATION_SUPERFACETS_SUPERFACET_MERGING_H
+
+#include <CGAL/Region_segmentation/Graph/Hierarchy.h>
+#include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Graph/Patches.h>
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/internal/check_parts.h>
+#include <CGAL/Region_segmentation/Graph/requested_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Border_straightening.h>
+#include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
+#include <CGAL/Region_segmentation/Superfacets/Superfacets.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/smooth_noise.h>
+#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The hierarchy of regions whose faces were moved between them: `region_of` gives the region of
+/// each face by the numbers of `tree`. Merges of a region without faces are left out.
+inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
+                                      const Merge_tree& tree, std::size_t number_of_segments)
+{
+  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+  Partition regions = Partition::from_labels(region_of);
+  // By former number: the lowest of the new numbers in the segment of a region.
+  std::vector<Partition::Index> numbers(tree.number_of_regions(), none);
+  for (std::size_t f = 0; f < region_of.size(); ++f)
+    numbers[region_of[f]] = regions[f];
+  Merge_tree renumbered(regions.number_of_parts());
+  for (const Merge_tree::Merge& merge : tree.merges()) {
+    const auto [kept, removed] = std::minmax({numbers[merge.kept], numbers[merge.removed]});
+    if (removed != none)
+      renumbered.push_back({kept, removed, merge.cost});
+    numbers[merge.kept] = kept;
+  }
+  return Hierarchy(std::move(regions), std::move(renumbered), number_of_segments);
+}
+
+/// The sum of the squared weights of the intersections of the parts of two partitions.
+inline std::int64_t squared_intersections(const Partition& a, const Partition& b,
+                                          const std::vector<std::int64_t>& weights)
+{
+  std::vector<std::uint64_t> pairs;
+  for (std::size_t e = 0; e < a.size(); ++e)
+    pairs.push_back(std::uint64_t(a[e]) * b.number_of_parts() + b[e]);
+  const Partition intersections = Partition::from_labels(pairs);
+  std::vector<std::int64_t> sums(intersections.number_of_parts());
+  for (std::size_t e = 0; e < a.size(); ++e)
+    sums[intersections[e]] += weights[e];
+  return std::inner_product(sums.begin(), sums.end(), sums.begin(), std::int64_t(0));
+}
+
+/// The place of the partition with the smallest sum of Rand index distances to the others, of
+/// several the first. `weights`: of the elements; integers, so that no order of sums matters
+inline std::size_t most_central(const std::vector<Partition>& partitions,
+                                const std::vector<std::int64_t>& weights)
+{
+  std::vector<std::int64_t> own, sums(partitions.size());
+  for (std::size_t i = 0; i < partitions.size(); ++i) {
+    own.push_back(squared_intersections(partitions[i], partitions[i], weights));
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::int64_t distance = own[i] + own[j] -
+                                    2 *
+                                      squared_intersections(partitions[i], partitions[j], weights);
+      sums[i] += distance;
+      sums[j] += distance;
+    }
+  }
+  return std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
+}
+
+} // namespace internal
+
+/// \ingroup PkgRegionSegmentationData
+/// A hierarchy whose regions can be split further, so that there are as many segments as are asked
+/// for, up to the number of faces that are not degenerate.
+class Refinable_hierarchy : public Hierarchy
+{
+public:
+  Refinable_hierarchy() = default;
+  /// `largest_number`: of segments; 0 if regions must not be split
+  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets,
+                      std::size_t largest_number)
+    : Hierarchy(std::move(hierarchy))
+    , m_superfacets(superfacets)
+    , m_largest_number(largest_number)
+  {}
+
+  /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where
+  /// regions are split.
+  Composed_partition segments(const Surface& surface, std::size_t number) const
+  {
+    if (m_largest_number > 0)
+      number = (std::min)(number, m_largest_number);
+    if (m_largest_number == 0 || number <= regions().number_of_parts())
+      return Hierarchy::segments(surface, number);
+    Partition split = m_superfacets.split(surface, regions(), number);
+    Partition segments = Partition::into_single_elements(split.number_of_parts());
+    return {std::make_shared<const Partition>(std::move(split)), std::move(segments)};
+  }
+
+private:
+  Superfacets m_superfacets;
+  std::size_t m_largest_number = 0;
+};
+
+/// \ingroup PkgRegionSegmentationMethods
+/// Merges superfacets: divides the surface into `Superfacets`, annotates them with what rays from
+/// them see, merges them by a policy, and moves the borders of the segments to minimum cuts. A
+/// model of `SegmentationMethod`.
+///
+/// A surface with noise is smoothed first (\ref RegionSegmentationNoise).
+///
+/// Which of nearly equal merges comes first hangs on the superfacets, and so on chance. So several
+/// draws of them (`Superfacets::draws()`) are merged, each by itself; the result is the draw whose
+/// segmentation into its chosen number of segments has the smallest sum of Rand index distances to
+/// those of the others, of several the one with most superfacets. (Segmentations are compared on
+/// the centers of the coarse patches, by the areas of these in \f$2^{-26}\f$ of the surface,
+/// rounded down.) Rays are those of the superfacets of the first draw. Seeds do not change which
+/// draw is taken.
+///
+/// The order of merges does not depend on the number of segments. If no number is given, a chooser
+/// chooses it. If more segments are wanted than there are superfacets, superfacets are split.
+///
+/// \tparam GraphAnnotator a model of `GraphAnnotator`
+/// \tparam MergingPolicy a model of `MergingPolicy`, or `Policy_phases`
+/// \tparam NumberChooser a model of `NumberChooser`, for the costs of the policy
+template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
+struct Superfacet_merging
+{
+  GraphAnnotator annotator;
+  MergingPolicy policy;
+  NumberChooser chooser;
+  Superfacets superfacets = Superfacets();
+  Border_straightening straightening = Border_straightening();
+  std::size_t number_of_draws = 5; ///< at least 1
+
+  /// What does not depend on the wanted number of segments and on seeds.
+  struct Prepared
+  {
+    std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
+    Surface_patches patches;
+    std::vector<Inward_ray> rays;  ///< of the superfacets of the first draw
+    Partition regions;             ///< the superfacets of the draw that is taken, of the faces
+    Merge_tree tree;               ///< their merges without seeds
+    std::size_t chosen_number = 0; ///< of segments
+
+    /// The smoothed surface if there is one, else the given one.
+    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
+  };
+
+  Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
+  {
+    internal::check_constants(policy);
+    internal::check_constants(chooser);
+    superfacets.check_constants();
+    straightening.check_constants();
+    internal::check_constant("Superfacet_merging: number_of_draws", double(number_of_draws), 1);
+    static_assert(
+      std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
+                          const Surface&>::value,
+      "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
+    const Execution stage = execution.stage("regions");
+    Prepared result;
+    result.smoothed = internal::without_noise(given, stage.step(0, 0.1));
+    const Surface& surface = result.shape(given);
+    result.patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
+    const Patches& cells = result.patches.fine;
+    std::vector<Requested_regions> draws; // without seeds
+    for (const Partition& draw :
+         superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1)))
+      draws.push_back(
+        {composed(cells.of_elements(), internal::join_degenerate_regions(surface, cells, draw)),
+         Seeds()});
+    if (const Execution rays = execution.stage("rays"); surface.area() > 0)
+      result.rays = internal::Inward_rays(surface, result.patches, draws.front().regions)
+                      .trace(rays);
+    take_central_draw(surface, draws, result, execution.stage("draws"));
+    return result;
+  }
+
+  Refinable_hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
+                            const Execution& execution = Execution()) const
+  {
+    const Surface& surface = prepared.shape(given);
+    const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
+    Merge_tree tree = prepared.tree;
+    std::optional<Patches> divided;
+    if (!request.seeds.empty()) {
+      divided = internal::Patch_builder::divided(surface, prepared.patches.fine, requested.regions);
+      tree = merged(surface, prepared.rays, *divided, requested, execution.stage("merging"));
+    }
+    const std::size_t number = request.number_of_segments > 0 ? request.number_of_segments
+                               : request.seeds.empty()        ? prepared.chosen_number
+                                                              : chooser(tree, surface);
+    const Patches& cells = divided ? *divided : prepared.patches.fine;
+    const bool is_for_one_number = request.numbers == Request::Numbers::ONE;
+    const std::vector<Surface::Index> label_of_cell = straightening(
+      surface, cells, requested, tree, is_for_one_number ? number : tree.number_of_regions(),
+      execution.stage("borders"));
+    std::vector<Surface::Index> region_of;
+    region_of.reserve(surface.number_of_faces());
+    for (const Surface::Index cell : cells.of_elements())
+      region_of.push_back(label_of_cell[cell]);
+    const std::size_t largest_number = (std::max)(internal::number_of_proper_faces(surface),
+                                                  std::size_t(1));
+    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
+                               request.seeds.empty() ? largest_number : 0);
+  }
+
+  /// The graph of regions of the faces, each a union of `cells`, with the data of the annotator.
+  auto annotated_graph(const Surface& surface, const std::vector<Inward_ray>& rays,
+                       const Patches& cells, const Partition& regions,
+                       const Execution& execution) const
+  {
+    static_assert(internal::check_annotator<GraphAnnotator>());
+    auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
+                                              typename GraphAnnotator::SectionData>(
+      surface, regions, execution);
+    annotator(graph, surface, regions,
+              Region_rays{rays, internal::Region_shapes(surface, cells, regions)});
+    return graph;
+  }
+
+private:
+  Merge_tree merged(const Surface& surface, const std::vector<Inward_ray>& rays,
+                    const Patches& cells, const Requested_regions& requested,
+                    const Execution& execution) const
+  {
+    auto graph = annotated_graph(surface, rays, cells, requested.regions, execution.step(0, 0.2));
+    return merge_requested_regions(surface, requested, graph, policy, 1, execution.step(0.2, 1));
+  }
+
+  /// Merges each draw, and takes that whose segmentation is nearest to those of the others.
+  void take_central_draw(const Surface& surface, std::vector<Requested_regions>& draws,
+                         Prepared& result, const Execution& execution) const
+  {
+    const Patches &fine = result.patches.fine, &coarse = result.patches.coarse;
+    const std::size_t n = draws.size();
+    std::vector<Merge_tree> trees(n);
+    std::vector<std::size_t> numbers(n);
+    std::vector<Partition> segmentations(n); // of the coarse patches
+    execution.for_each(0, n, [&](std::size_t i) {
+      const Execution step = execution.is_parallel()
+                               ? execution.silent()
+                               : execution.step(double(i) / double(n), double(i + 1) / double(n));
+      trees[i] = merged(surface, result.rays, fine, draws[i], step);
+      numbers[i] = chooser(trees[i], surface);
+      const Partition segments = trees[i].partition_at_count(numbers[i]);
+      std::vector<Partition::Index> labels;
+      for (std::size_t c = 0; c < coarse.size(); ++c)
+        labels.push_back(segments[draws[i].regions[fine[coarse[c].center].center]]);
+      segmentations[i] = Partition::from_labels(labels);
+    });
+    std::vector<std::int64_t> areas; // in 2^-26 of the surface
+    for (std::size_t c = 0; c < coarse.size(); ++c)
+      areas.push_back(
+        std::int64_t(std::ldexp(coarse[c].area * internal::inverse(surface.area()), 26)));
+    const std::size_t central = internal::most_central(segmentations, areas);
+    result.regions = std::move(draws[central].regions);
+    result.tree = std::move(trees[central]);
+    result.chosen_number = numbers[central];
+  }
+};
+
+template <typename GraphAnnotator, typename MergingPolicy, typename NumberChooser>
+Superfacet_merging(GraphAnnotator, MergingPolicy, NumberChooser)
+  -> Superfacet_merging<GraphAnnotator, MergingPolicy, NumberChooser>;
+
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_SUPERFACETS_SUPERFACET_MERGING_H
