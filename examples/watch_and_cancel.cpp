@@ -17,7 +17,7 @@ struct Time_limit
 {
   Clock::time_point end;
 
-  bool go_further(const char* stage, double fraction)
+  bool on_progress(const char* stage, double fraction)
   {
     std::cout << stage << ": " << 100 * fraction << " %\n";
     return Clock::now() < end;

@@ -236,7 +236,7 @@ struct Cancelling_visitor
   double fraction;
   int number_of_calls = 0;
 
-  bool go_further(const char* s, double f)
+  bool on_progress(const char* s, double f)
   {
     ++number_of_calls;
     return s != stage || f < fraction;

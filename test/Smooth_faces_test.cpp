@@ -369,7 +369,7 @@ struct Canceller
   double fraction;
   std::set<double> seen;
 
-  bool go_further(const char* stage, double f)
+  bool on_progress(const char* stage, double f)
   {
     if (stage != std::string("regions"))
       return true;

@@ -445,7 +445,7 @@ TEST(find_links_test, nested_spheres_can_be_cancelled)
   struct Visitor
   {
     int number = 0, last;
-    bool go_further(const char*, double) { return ++number < last; }
+    bool on_progress(const char*, double) { return ++number < last; }
   };
   Soup scene;
   for (int i = 0; i < 30; ++i)

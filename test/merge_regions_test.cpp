@@ -77,7 +77,7 @@ struct Counting_visitor
   std::vector<double> fractions;
   std::size_t cancel_at = 1000000;
 
-  bool go_further(const char* stage, double fraction)
+  bool on_progress(const char* stage, double fraction)
   {
     EXPECT_STREQ(stage, "merging");
     fractions.push_back(fraction);

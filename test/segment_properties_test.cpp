@@ -439,7 +439,7 @@ struct Visitor
   std::vector<std::pair<std::string, double>> calls;
   std::size_t cancel_at = 1000000;
 
-  bool go_further(const char* stage, double fraction)
+  bool on_progress(const char* stage, double fraction)
   {
     calls.push_back({stage, fraction});
     return calls.size() < cancel_at;

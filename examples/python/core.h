@@ -42,7 +42,7 @@ public:
     : m_progress(std::move(progress))
   {}
 
-  bool go_further(const char* stage, double fraction)
+  bool on_progress(const char* stage, double fraction)
   {
     const auto now = std::chrono::steady_clock::now();
     if (stage == m_stage && now - m_time < std::chrono::milliseconds(50))

@@ -439,14 +439,14 @@ void test(const Mesh& mesh, Map map)
 }
 } // namespace vertex_map_as_segment_map
 
-// expect: a SegmentationVisitor needs: bool go_further
+// expect: a SegmentationVisitor needs: bool on_progress
 namespace visitor {
 struct Visitor
 {
 #ifdef WITH_FAULT
   void operator()(double) {}
 #else
-  bool go_further(const char*, double)
+  bool on_progress(const char*, double)
   {
     return true;
   }
@@ -463,7 +463,7 @@ void test(const Mesh& mesh, Labels labels)
 namespace visitor_by_value {
 struct Visitor_by_value
 {
-  bool go_further(const char*, double) { return true; }
+  bool on_progress(const char*, double) { return true; }
 };
 void test(const Mesh& mesh, Labels labels)
 {

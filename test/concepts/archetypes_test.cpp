@@ -129,7 +129,7 @@ public:
   Visitor_archetype(const Visitor_archetype&) = delete;
   Visitor_archetype& operator=(const Visitor_archetype&) = delete;
 
-  bool go_further(const char*, double) { return true; }
+  bool on_progress(const char*, double) { return true; }
 };
 
 /// What a method prepares is neither copied nor moved.

@@ -41,7 +41,7 @@ namespace RS = CGAL::Region_segmentation;
 
 struct Visitor
 {
-  bool go_further(const char*, double) { return true; }
+  bool on_progress(const char*, double) { return true; }
 };
 
 template <typename ConcurrencyTag, typename Mesh>

@@ -19,5 +19,5 @@ public:
   \returns false to end the run by `CGAL::Region_segmentation::Segmentation_cancelled`; no map is
            written
   */
-  bool go_further(const char* stage, double fraction);
+  bool on_progress(const char* stage, double fraction);
 };

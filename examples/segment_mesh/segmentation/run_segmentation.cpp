@@ -41,7 +41,7 @@ public:
     : m_listener(listener)
   {}
 
-  bool go_further(const char* stage, double fraction)
+  bool on_progress(const char* stage, double fraction)
   {
     if (m_starts.empty() || m_starts.back().stage != stage)
       m_starts.push_back({stage, Clock::now()});

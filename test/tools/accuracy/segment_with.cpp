@@ -23,7 +23,7 @@ namespace {
 class Stage_timer
 {
 public:
-  bool go_further(const std::string& stage, double)
+  bool on_progress(const std::string& stage, double)
   {
     if (stage != m_stage) {
       finish();

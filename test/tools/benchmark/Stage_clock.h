@@ -40,7 +40,7 @@ public:
     , m_start(seconds(clock))
   {}
 
-  bool go_further(const char* name, double)
+  bool on_progress(const char* name, double)
   {
     const Stage stage = stage_of(name);
     if (stage > m_stage)

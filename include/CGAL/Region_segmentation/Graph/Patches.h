@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_PATCHES_H
 
 #include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Large_array.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,9 @@ public:
   /// The patch of each element.
   const Partition& of_elements() const { return m_of_elements; }
   /// The adjacencies across edges, sorted by the lower, then by the higher patch.
-  const internal::Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
+  const Large_array<Adjacency>& adjacencies() const { return m_adjacencies; }
   /// The adjacencies across seams and links, in the same order.
-  const internal::Large_array<Adjacency>& contacts() const { return m_contacts; }
+  const Large_array<Adjacency>& contacts() const { return m_contacts; }
 
   /// The angle between the normals of two adjacent patches, in radians, if they face each other;
   /// else, or if one of them has no normal, 0.
@@ -68,8 +68,8 @@ private:
   friend class internal::Patch_builder;
 
   Partition m_of_elements;
-  internal::Large_array<Patch> m_patches;
-  internal::Large_array<Adjacency> m_adjacencies, m_contacts;
+  Large_array<Patch> m_patches;
+  Large_array<Adjacency> m_adjacencies, m_contacts;
 };
 
 /// \ingroup PkgRegionSegmentationData

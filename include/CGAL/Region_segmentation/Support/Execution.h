@@ -78,7 +78,7 @@ public:
   {
     Execution result = *this;
     result.m_visitor = &visitor;
-    result.m_go_further = &call<SegmentationVisitor>;
+    result.m_on_progress = &call<SegmentationVisitor>;
     return result;
   }
 
@@ -86,7 +86,7 @@ public:
   Execution silent() const
   {
     Execution result = *this;
-    result.m_go_further = nullptr;
+    result.m_on_progress = nullptr;
     return result;
   }
 
@@ -119,7 +119,7 @@ public:
   /// \throws Segmentation_cancelled if the visitor cancels
   void report(double fraction) const
   {
-    if (m_go_further && !m_go_further(m_visitor, m_stage, m_begin + fraction * m_share))
+    if (m_on_progress && !m_on_progress(m_visitor, m_stage, m_begin + fraction * m_share))
       throw Segmentation_cancelled();
   }
 
@@ -138,12 +138,12 @@ private:
   template <typename Visitor>
   static bool call(const void* visitor, const char* stage, double fraction)
   {
-    return const_cast<Visitor*>(static_cast<const Visitor*>(visitor))->go_further(stage, fraction);
+    return const_cast<Visitor*>(static_cast<const Visitor*>(visitor))->on_progress(stage, fraction);
   }
 
   const internal::Threads* m_threads = nullptr;
   const void* m_visitor = nullptr;
-  bool (*m_go_further)(const void*, const char*, double) = nullptr;
+  bool (*m_on_progress)(const void*, const char*, double) = nullptr;
   const char* m_stage = "";
   double m_begin = 0, m_share = 1;
 };
@@ -244,8 +244,8 @@ private:
 };
 
 template <typename T>
-using Goes_further = std::enable_if_t<
-  std::is_convertible<decltype(std::declval<T&>().go_further("", double())), bool>::value>;
+using Follows_progress = std::enable_if_t<
+  std::is_convertible<decltype(std::declval<T&>().on_progress("", double())), bool>::value>;
 
 /// The execution with the threads of a tag and the visitor of a pack, if it has one.
 template <typename ConcurrencyTag, typename Pack>
@@ -257,8 +257,8 @@ Execution make_execution(const Pack& np)
   else {
     auto&& visitor = CGAL::parameters::get_parameter_reference(np, CGAL::internal_np::visitor);
     static_assert(
-      satisfies<Goes_further, std::remove_reference_t<decltype(visitor)>>,
-      "a SegmentationVisitor needs: bool go_further(const char* stage, double fraction)");
+      satisfies<Follows_progress, std::remove_reference_t<decltype(visitor)>>,
+      "a SegmentationVisitor needs: bool on_progress(const char* stage, double fraction)");
     static_assert(std::is_lvalue_reference<decltype(visitor)>::value,
                   "a SegmentationVisitor is not copied: pass it as visitor(std::ref(v))");
     return execution.with_visitor(visitor);

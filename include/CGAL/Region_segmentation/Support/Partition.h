@@ -3,8 +3,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_SUPPORT_PARTITION_H
 #define CGAL_REGION_SEGMENTATION_SUPPORT_PARTITION_H
 
+#include <CGAL/Region_segmentation/Support/Large_array.h>
 #include <CGAL/Region_segmentation/Support/exceptions.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 
 #include <CGAL/assertions.h>
 
@@ -95,7 +95,7 @@ class Partition
 public:
   using Index = std::uint32_t;
   /// A vector of the numbers of parts, by element; `resize()` does not initialize them.
-  using Numbers = internal::Large_array<Index>;
+  using Numbers = Large_array<Index>;
 
   /// A partition without elements.
   Partition() = default;
