@@ -311,12 +311,22 @@ Labels pieces_by_definition(const RS::Surface& mesh, const RS::Partition& patch_
   return labels_of(RS::Partition::from_labels(lowest));
 }
 
-/// Divides patches by random regions, below an x.
-void expect_division(RS::Surface mesh, double x, std::mt19937& random)
+/// A surface whose adjacencies can be constrained.
+struct Constrainable_surface : RS::Surface
 {
+  explicit Constrainable_surface(const RS::Surface& surface)
+    : RS::Surface(surface)
+  {}
+  void constrain(std::size_t adjacency) { m_flags[adjacency] |= CONSTRAINED; }
+};
+
+/// Divides patches by random regions, below an x.
+void expect_division(const RS::Surface& surface, double x, std::mt19937& random)
+{
+  Constrainable_surface mesh(surface);
   for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
     if (mesh.centroid(mesh.lower_face(a)).x < x && random() % 10 == 0)
-      arrays_of(mesh).flags[a] |= RS::Surface::CONSTRAINED;
+      mesh.constrain(a);
   const RS::Patches patches = patches_of(mesh).fine;
   const RS::Partition& patch_of = patches.of_elements();
   Labels labels;

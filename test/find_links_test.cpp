@@ -2,7 +2,7 @@
 
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 #include <CGAL/Region_segmentation/Surface/internal/find_links.h>
-#include <CGAL/Region_segmentation/Surface/internal/orient_components.h>
+#include <CGAL/Region_segmentation/Surface/internal/orient_faces.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/squared_distance_3.h>
@@ -72,11 +72,53 @@ bool is_before(const Added_adjacency& a, const Added_adjacency& b)
   return std::tie(a.higher, a.lower) < std::tie(b.higher, b.lower);
 }
 
+/// A surface with the edges of polygons, whose sides are neither sewn nor turned.
+struct Bare_surface : Surface
+{
+  /// Returns the components.
+  Partition fill(const Soup& soup)
+  {
+    double largest = 0;
+    for (const Double_3& p : soup.points)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    m_unit = !(largest > 0) || std::abs(std::ilogb(largest)) <= 64
+               ? 1
+               : std::ldexp(1.0, std::ilogb(largest));
+    for (const Double_3& p : soup.points)
+      m_points.push_back({p.x / m_unit, p.y / m_unit, p.z / m_unit});
+    std::map<std::pair<Index, Index>, Index> face_of;
+    RS::internal::Lowest_root_forest forest(soup.polygons.size());
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+      const auto& polygon = soup.polygons[f];
+      m_corners.insert(m_corners.end(), polygon.begin(), polygon.end());
+      m_first_corners.push_back(Index(m_corners.size()));
+      Double_3 n{0, 0, 0};
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Index v = polygon[i], w = polygon[(i + 1) % polygon.size()];
+        n = n + cross(m_points[v] - m_points[polygon[0]], m_points[w] - m_points[polygon[0]]);
+        const auto [place, is_new] = face_of.emplace(std::minmax(v, w), Index(f));
+        if (!is_new) {
+          m_lower_faces.push_back(place->second);
+          m_higher_faces.push_back(Index(f));
+          m_squared_lengths.push_back(squared_norm(m_points[v] - m_points[w]));
+          m_flags.push_back(0);
+          forest.unite(place->second, Index(f));
+        }
+      }
+      const double length = norm(n);
+      m_areas.push_back(length / 2);
+      m_normals.push_back(length > 0 ? (1 / length) * n : Double_3{0, 0, 0});
+      m_area += length / 2;
+    }
+    return forest.take_partition();
+  }
+};
+
 /// A surface with edges, and its components.
 struct Model
 {
   explicit Model(const Soup& soup)
-    : component_of(fill(soup))
+    : component_of(surface.fill(soup))
   {}
 
   std::vector<Added_adjacency> links() const
@@ -96,48 +138,8 @@ struct Model
     return RS::internal::find_outermost(surface, component_of, is_closed);
   }
 
-  Surface surface;
+  Bare_surface surface;
   Partition component_of;
-
-private:
-  Partition fill(const Soup& soup)
-  {
-    RS::internal::Surface_arrays& to = arrays_of(surface);
-    double largest = 0;
-    for (const Double_3& p : soup.points)
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    to.unit = !(largest > 0) || std::abs(std::ilogb(largest)) <= 64
-                ? 1
-                : std::ldexp(1.0, std::ilogb(largest));
-    for (const Double_3& p : soup.points)
-      to.points.push_back({p.x / to.unit, p.y / to.unit, p.z / to.unit});
-    to.first_corners.push_back(0);
-    std::map<std::pair<Index, Index>, Index> face_of;
-    RS::internal::Lowest_root_forest forest(soup.polygons.size());
-    for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-      const auto& polygon = soup.polygons[f];
-      to.corners.insert(to.corners.end(), polygon.begin(), polygon.end());
-      to.first_corners.push_back(Index(to.corners.size()));
-      Double_3 n{0, 0, 0};
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Index v = polygon[i], w = polygon[(i + 1) % polygon.size()];
-        n = n + cross(to.points[v] - to.points[polygon[0]], to.points[w] - to.points[polygon[0]]);
-        const auto [place, is_new] = face_of.emplace(std::minmax(v, w), Index(f));
-        if (!is_new) {
-          to.lower_faces.push_back(place->second);
-          to.higher_faces.push_back(Index(f));
-          to.squared_lengths.push_back(squared_norm(to.points[v] - to.points[w]));
-          to.flags.push_back(0);
-          forest.unite(place->second, Index(f));
-        }
-      }
-      const double length = norm(n);
-      to.areas.push_back(length / 2);
-      to.normals.push_back(length > 0 ? (1 / length) * n : Double_3{0, 0, 0});
-      to.area += length / 2;
-    }
-    return forest.take_partition();
-  }
 };
 
 /// A grid of n x n squares, each of two triangles, on the unit square of the plane z = 0.

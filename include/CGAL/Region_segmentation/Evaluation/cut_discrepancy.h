@@ -143,7 +143,7 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const FaceLabelMapA
 {
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
-  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const Surface surface = internal::surface_as_given(mesh, pack);
   const auto cut_a = internal::cut_vertices(surface, face_values(mesh, a)),
              cut_b = internal::cut_vertices(surface, face_values(mesh, b));
   const double size = internal::mean_distance_to_centroid(surface);

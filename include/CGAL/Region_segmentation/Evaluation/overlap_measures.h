@@ -101,7 +101,7 @@ Contingency_table table_of_areas(const FaceGraph& mesh, const FaceLabelMapA& a,
 {
   const auto& pack = internal::pack(np);
   check_parameters<std::decay_t<decltype(pack)>, Tag_list<>>();
-  const Surface surface = make_surface_of_neighbors(mesh, pack);
+  const Surface surface = surface_as_given(mesh, pack);
   return {read_face_labels(mesh, a), read_face_labels(mesh, b),
           [&](std::size_t f) { return surface.area(f); }};
 }

@@ -11,8 +11,7 @@
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
-#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -70,10 +69,10 @@ private:
   Double_3 m_sum{0, 0, 0};
 };
 
-/// By fan of the solids, the planes of its faces. `normals`: by face of the mesh
+/// By fan of the solids, the planes of its faces. `surface`: of the mesh
 inline std::vector<Planes_of_vertex> planes_of_vertices(const Segmented_halfedges& solids,
                                                         const Segment_caps& caps,
-                                                        const Large_array<Double_3>& normals)
+                                                        const Surface& surface)
 {
   using Index = Segmented_halfedges::Index;
   const Partition fans = solids.fans();
@@ -85,11 +84,11 @@ inline std::vector<Planes_of_vertex> planes_of_vertices(const Segmented_halfedge
                    ahead = caps.points()[solids.target(next)] - corner;
     const Double_3 across = cross(ahead, back);
     const double angle = std::atan2(norm(across), dot(ahead, back));
-    if (f < normals.size())
-      planes[fans[next]].add(normals[f], angle, false);
+    if (f < surface.number_of_faces())
+      planes[fans[next]].add(surface.normal(f), angle, false);
     else if (norm(across) > 0)
       planes[fans[next]].add(1 / norm(across) * across, angle,
-                             caps.triangles()[(f - normals.size()) / 2].higher <=
+                             caps.triangles()[(f - surface.number_of_faces()) / 2].higher <=
                                solids.number_of_segments);
   }
   return planes;
@@ -182,28 +181,19 @@ SolidOutputIterator close_segments(const FaceGraph& mesh, const FaceSegmentMap& 
   const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
   const auto points = choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                                        get_const_property_map(CGAL::vertex_point, mesh));
-  Surface surface;
-  auto& arrays = arrays_of(surface);
-  for (const auto v : segmented.vertices) {
-    arrays.points.push_back(internal::to_double_3(get(points, v)));
-  }
-  arrays.first_corners.assign(segmented.first.begin(), segmented.first.end());
-  arrays.corners.assign(segmented.source.begin(), segmented.source.end());
-  internal::set_unit(surface);
-  const internal::Segment_caps caps(segmented, arrays.points, [](auto) { return false; });
+  const Surface surface = internal::surface_as_given(mesh, pack);
+  const internal::Segment_caps caps(segmented, surface, [](auto) { return false; });
   const auto closed = internal::with_caps(segmented, caps);
   std::vector<internal::Planes_of_vertex> planes; // by fan
-  if (clearance > 0) {
-    internal::compute_normals(surface, Execution());
-    planes = internal::planes_of_vertices(closed, caps, arrays.normals);
-  }
+  if (clearance > 0)
+    planes = internal::planes_of_vertices(closed, caps, surface);
   return internal::Piece_builder<Piece, decltype(segmented)>(segmented, closed)
     .build(solids, [&](std::uint32_t h, std::uint32_t fan, const auto& f) {
       const Double_3 move = planes.empty() ? Double_3{0, 0, 0} : clearance / 2 * planes[fan].move();
       const std::uint32_t v = closed.source[h];
       if (squared_norm(move) == 0 && v < segmented.vertices.size())
         return f(get(points, segmented.vertices[v]));
-      const Double_3 p = arrays.unit * caps.points()[v] + move;
+      const Double_3 p = surface.unit() * caps.points()[v] + move;
       f(std::array<double, 3>{p.x, p.y, p.z});
     });
 }

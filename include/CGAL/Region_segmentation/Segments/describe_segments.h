@@ -45,8 +45,7 @@ namespace internal {
 inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Surface& surface)
 {
   using Index = Segmented_halfedges::Index;
-  const Segment_caps caps(mesh, arrays_of(surface).points,
-                          [&](Index f) { return is_turned(surface, mesh, f); });
+  const Segment_caps caps(mesh, surface, [&](Index f) { return is_turned(surface, mesh, f); });
   const auto& points = caps.points();
   std::vector<double> volumes(mesh.number_of_segments + 2, 0);
   const auto add = [&](Index segment, Index a, Index b, Index c) {
@@ -287,7 +286,8 @@ describe_segments(const FaceGraph& mesh, const FaceSegmentMap& segment_map,
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
   internal::check_parameters<Pack, internal::Tag_list<>>();
   const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
-  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const Surface surface = internal::make_surface(mesh, pack, internal::Adjacent::NEIGHBORS,
+                                                 Execution());
   const auto result = internal::Segment_describer<FaceGraph, Label, Kernel>(segmented, surface)
                         .describe();
   return std::copy(result.begin(), result.end(), descriptions);

@@ -7,7 +7,7 @@
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
-#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <algorithm>
@@ -48,7 +48,9 @@ public:
     double bound = nearest.first; // a little above the square of the least distance
     const Box_tree& boxes = m_tree.boxes();
     boxes.search(
-      [&, at = box_of(std::array{p})](Index node) { return squared_gap(boxes.box(node), at); },
+      [&, at = box_of(std::array{p - m_tree.origin()})](Index node) {
+        return squared_gap(boxes.box(node), at);
+      },
       bound,
       [&](Index leaf) {
         const Index face = m_tree.face(leaf);
@@ -101,9 +103,7 @@ FaceOutputIterator find_nearest_faces(const FaceGraph& mesh, const PointRange& p
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
   internal::check_parameters<Pack, internal::Tag_list<>>();
-  const internal::Mesh_order<FaceGraph, Pack> order(mesh, pack);
-  const Surface surface = internal::make_surface(order, pack, internal::Adjacency_of::NEIGHBORS,
-                                                 Execution());
+  const Surface surface = internal::surface_as_given(mesh, pack);
   if (surface.number_of_faces() == 0)
     throw Invalid_input("find_nearest_faces: the mesh has no faces");
   std::vector<Double_3> positions;
@@ -113,8 +113,11 @@ FaceOutputIterator find_nearest_faces(const FaceGraph& mesh, const PointRange& p
       throw Invalid_input("find_nearest_faces: a point is not finite");
   }
   const internal::Nearest_face_finder finder(surface);
+  const auto range = faces(mesh);
+  const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> ordered_faces(
+    range.begin(), range.end());
   for (const Double_3& p : positions)
-    *nearest_faces++ = order.ordered_faces()[finder.find(p, [](auto) { return true; })];
+    *nearest_faces++ = ordered_faces[finder.find(p, [](auto) { return true; })];
   return nearest_faces;
 }
 

@@ -219,7 +219,8 @@ std::size_t mark_segment_seams(const FaceGraph& mesh, const FaceSegmentMap& segm
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Tag_list<>>();
   const auto segmented = internal::read_segmented_mesh(mesh, segment_map, pack);
-  const Surface surface = internal::make_surface_of_neighbors(mesh, pack);
+  const Surface surface = internal::make_surface(mesh, pack, internal::Adjacent::NEIGHBORS,
+                                                 Execution());
   internal::Seam_finder finder(segmented, [&](std::uint32_t h) {
     const auto a = internal::adjacency_across(surface, segmented, h);
     return cost(surface.length(a), surface.concave_deviation(a));

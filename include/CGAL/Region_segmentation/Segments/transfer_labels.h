@@ -9,14 +9,11 @@
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/exceptions.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/face_values.h>
-#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
-#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -84,43 +81,25 @@ inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>
     label_of_face[f] = labels[components[f]];
 }
 
-/// A surface, and the normals of its faces as the mesh orients them: the surface turns components
-/// that are inside out.
-struct Surface_as_given
-{
-  Surface surface;
-  Large_array<Double_3> normals;
-
-  template <typename FaceGraph, typename Pack>
-  Surface_as_given(const FaceGraph& mesh, const Pack& np)
-  {
-    Raw_surface raw = read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, Execution());
-    compute_normals(raw.surface, Execution());
-    normals = arrays_of(raw.surface).normals;
-    surface = build_surface(std::move(raw), Adjacency_of::NEIGHBORS, Execution());
-  }
-};
-
 /// The parts of the faces of a surface `from` that are nearest to the faces of `to`. A face is
 /// divided into triangles between its sides and the mean of its corners. The middle of each
 /// triangle finds a face of `from`, and votes for its part by the area of the triangle; of equal
 /// votes the lowest part counts.
-inline std::vector<Surface::Index>
-nearest_parts(const Surface_as_given& to, const Surface_as_given& from, const Partition& parts)
+inline std::vector<Surface::Index> nearest_parts(const Surface& to, const Surface& from,
+                                                 const Partition& parts)
 {
   using Index = Surface::Index;
-  const Surface& surface = to.surface;
-  const double scale = surface.unit() / from.surface.unit();
-  const Nearest_face_finder finder(from.surface);
+  const double scale = to.unit() / from.unit();
+  const Nearest_face_finder finder(from);
   std::vector<Index> result;
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const Double_3 center = surface.centroid(f);
+  for (Index f = 0; f < to.number_of_faces(); ++f) {
+    const Double_3 center = to.centroid(f);
     const auto agrees = [&](Index g) {
-      return surface.is_degenerate(f) || dot(to.normals[f], from.normals[g]) > 0;
+      return to.is_degenerate(f) || dot(to.normal(f), from.normal(g)) > 0;
     };
     std::map<Index, double> votes;
-    for_each_side(surface, f, [&](Index v, Index w) {
-      const Double_3 &p = surface.point(v), &q = surface.point(w);
+    for_each_side(to, f, [&](Index v, Index w) {
+      const Double_3 &p = to.point(v), &q = to.point(w);
       votes[parts[finder.find(scale / 3 * (p + q + center), agrees)]] += norm(
         cross(p - center, q - center));
     });
@@ -183,10 +162,11 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
   const auto &from_pack = internal::pack(np_from), &to_pack = internal::pack(np_to);
   internal::check_parameters<std::decay_t<decltype(from_pack)>, internal::Tag_list<>>();
   internal::check_parameters<std::decay_t<decltype(to_pack)>, internal::Tag_list<>>();
-  const internal::Surface_as_given from_surface(from, from_pack), to_surface(to, to_pack);
-  if (to_surface.surface.number_of_faces() == 0)
+  const Surface from_surface = internal::surface_as_given(from, from_pack),
+                to_surface = internal::surface_as_given(to, to_pack);
+  if (to_surface.number_of_faces() == 0)
     return 0;
-  if (from_surface.surface.number_of_faces() == 0)
+  if (from_surface.number_of_faces() == 0)
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
   // Each component of a segment is transferred as one, so that on `to` it is one, too.
@@ -194,9 +174,9 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
   for (const Label label : labels)
     if (is_segment(label))
       internal::check_label<typename boost::property_traits<ToMap>::value_type>(label);
-  const Partition components = internal::components_of_labels(from_surface.surface, labels);
+  const Partition components = internal::components_of_labels(from_surface, labels);
   auto nearest = internal::nearest_parts(to_surface, from_surface, components);
-  internal::dissolve_islands(to_surface.surface, nearest);
+  internal::dissolve_islands(to_surface, nearest);
 
   std::vector<Label> label_of(components.number_of_parts()), result;
   for (std::size_t f = 0; f < labels.size(); ++f)

@@ -15,6 +15,7 @@
 #include <CGAL/Region_segmentation/Surface/face_values.h>
 #include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/tags.h>
 
@@ -212,7 +213,10 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
   const auto& pack = internal::pack(np);
   internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const internal::Stage_input input(mesh, pack, execution);
+  const Surface surface = internal::constrained(
+    internal::Face_graph_input<FaceGraph>(mesh),
+    internal::make_surface(mesh, pack, internal::without_links(pack), execution.stage("reading")),
+    pack);
   const Partition before = internal::read_face_labels(mesh, segment_map);
   std::vector<Label> labels(before.number_of_parts());
   std::size_t i = 0;
@@ -220,7 +224,7 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
     labels[before[i++]] = get(segment_map, f);
 
   std::vector<Surface::Index> after(before.begin(), before.end());
-  const std::size_t changed = internal::smooth_face_labels(input.surface(), borders, after,
+  const std::size_t changed = internal::smooth_face_labels(surface, borders, after,
                                                            execution.stage("borders"));
   i = 0;
   for (auto f : faces(mesh)) {

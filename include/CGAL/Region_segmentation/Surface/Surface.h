@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_SURFACE_SURFACE_H
 
 #include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/Large_array.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -18,32 +18,6 @@
 
 namespace CGAL {
 namespace Region_segmentation {
-
-namespace internal {
-
-/// The arrays of a surface, for the functions that make one.
-struct Surface_arrays
-{
-  using Index = std::uint32_t;
-
-  Large_array<Double_3> points;        // 24 bytes a vertex
-  Large_array<Index> first_corners;    // 4 bytes a face, and 4 for the end
-  Large_array<Index> corners;          // 4 bytes a corner
-  Large_array<Double_3> normals;       // 24 bytes a face
-  Large_array<double> areas;           // 8 bytes a face
-  Large_array<Index> lower_faces;      // 4 bytes an adjacency
-  Large_array<Index> higher_faces;     // 4 bytes an adjacency
-  Large_array<double> squared_lengths; // 8 bytes an adjacency
-  Large_array<std::uint8_t> flags;     // 1 byte an adjacency
-  Large_array<Index> adjacencies;      // 4 bytes a corner: that across the side which leaves it
-  std::vector<Index> merged_vertices;  // by vertex: the lowest one at its point; empty: each is
-  Partition component_of;              // 4 bytes a face
-  std::vector<bool> crumbs;            // by component: whether it is a crumb; empty: none is
-  double unit = 1, area = 0;
-  bool has_seams_or_links = false;
-};
-
-} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// A surface as arrays: all that the stages after reading know of a mesh, so that they depend
@@ -93,36 +67,43 @@ public:
   static constexpr std::uint8_t without_angle = JOINING | CLOSED | LINK; ///< a seam without a sign
                                                                          ///< has no angle, either
 
-  std::size_t number_of_faces() const { return m_arrays.normals.size(); }
-  std::size_t number_of_vertices() const { return m_arrays.points.size(); }
-  std::size_t number_of_adjacencies() const { return m_arrays.higher_faces.size(); }
+  std::size_t number_of_faces() const { return m_first_corners.size() - 1; }
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  std::size_t number_of_adjacencies() const { return m_higher_faces.size(); }
+  /// The number of vertices that were merged with a vertex at another point, since their
+  /// coordinates differ by the rounding of single precision alone; see `make_surface()`.
+  std::size_t number_of_vertices_apart_by_rounding() const { return m_number_apart; }
 
   /// The unit of points and lengths, as a multiple of the unit of the mesh. It is 1, unless areas
   /// might exceed the range of double; then it is a power of two, so that results do not depend on
   /// it.
-  double unit() const { return m_arrays.unit; }
+  double unit() const { return m_unit; }
   /// The sum of the weights of the faces, in their order.
-  double area() const { return m_arrays.area; }
+  double area() const { return m_area; }
   /// The square root of the area of the surface; 1 if the area is 0.
-  double length_unit() const { return m_arrays.area > 0 ? std::sqrt(m_arrays.area) : 1; }
+  double length_unit() const { return m_area > 0 ? std::sqrt(m_area) : 1; }
 
   /// \name Vertices and corners
   /// @{
-  const Double_3& point(std::size_t vertex) const { return m_arrays.points[vertex]; }
+  const Double_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// The vertex that stands for a vertex of the input: the lowest one that was merged with it.
+  Index merged_vertex(std::size_t vertex) const
+  {
+    return m_merged_vertices.empty() ? Index(vertex) : m_merged_vertices[vertex];
+  }
   std::size_t number_of_corners(std::size_t face) const
   {
-    return m_arrays.first_corners[face + 1] - m_arrays.first_corners[face];
+    return m_first_corners[face + 1] - m_first_corners[face];
   }
   /// The vertex at a corner of a face. The first corner is the vertex of lowest index.
   Index corner(std::size_t face, std::size_t i) const
   {
-    return m_arrays.corners[m_arrays.first_corners[face] + i];
+    return m_corners[m_first_corners[face] + i];
   }
   /// The vertices at the corners of a face, in order.
   Iterator_range<const Index*> corners(std::size_t face) const
   {
-    return {m_arrays.corners.data() + m_arrays.first_corners[face],
-            m_arrays.corners.data() + m_arrays.first_corners[face + 1]};
+    return {m_corners.data() + m_first_corners[face], m_corners.data() + m_first_corners[face + 1]};
   }
   /// @}
 
@@ -130,28 +111,29 @@ public:
   /// @{
 
   /// The unit normal of a face, which is the zero vector if the face is degenerate.
-  const Double_3& normal(std::size_t face) const { return m_arrays.normals[face]; }
-  double area(std::size_t face) const { return m_arrays.areas[face]; }
+  const Double_3& normal(std::size_t face) const { return m_normals[face]; }
+  double area(std::size_t face) const { return m_areas[face]; }
   /// Whether the face belongs to a crumb: a component of less than 1/1000 of the area of the
   /// largest one, where components are linked.
   bool is_crumb(std::size_t face) const
   {
-    return !m_arrays.crumbs.empty() && m_arrays.crumbs[m_arrays.component_of[face]];
+    return !m_crumbs.empty() && m_crumbs[m_component_of[face]];
   }
-  /// The number of components. A component is a set of faces that are connected by edges.
-  std::size_t number_of_components() const { return m_arrays.component_of.number_of_parts(); }
+  /// The components: sets of faces that are connected by edges.
+  const Partition& components() const { return m_component_of; }
+  std::size_t number_of_components() const { return m_component_of.number_of_parts(); }
   std::size_t number_of_crumbs() const
   {
-    return std::size_t(std::count(m_arrays.crumbs.begin(), m_arrays.crumbs.end(), true));
+    return std::size_t(std::count(m_crumbs.begin(), m_crumbs.end(), true));
   }
   /// The area of a face; but 0 for a face of a crumb, so that crumbs do not change how the rest is
   /// segmented.
-  double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_arrays.areas[face]; }
+  double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
   /// Whether the area of a face is so small that its normal has no meaning, see \ref
   /// RegionSegmentationTwoStep, or the face is a copy of a lower one.
   bool is_degenerate(std::size_t face) const
   {
-    const Double_3& n = m_arrays.normals[face];
+    const Double_3& n = m_normals[face];
     return n.x == 0 && n.y == 0 && n.z == 0;
   }
   /// The mean of the corners of a face; its members are `x`, `y` and `z`, whatever the kernel of
@@ -172,31 +154,34 @@ public:
   /// `none` at a border. Of an edge with three and more faces each side has one of the seams.
   Index adjacency(std::size_t face, std::size_t i) const
   {
-    return m_arrays.adjacencies[m_arrays.first_corners[face] + i];
+    return m_adjacencies[m_first_corners[face] + i];
+  }
+  /// The same for the i-th side of a face as its mesh has them, counted from `halfedge(face,
+  /// mesh)`. (The surface begins at another corner, and may have turned the face.) \pre the surface
+  /// was made by `make_surface()` of a face graph
+  Index adjacency_in_mesh(std::size_t face, std::size_t i) const
+  {
+    return m_adjacencies_in_mesh[m_first_corners[face] + i];
   }
 
   /// The first adjacency whose higher face is not below `face`. O(log F).
   std::size_t first_adjacency(std::size_t face) const
   {
-    return std::size_t(
-      std::lower_bound(m_arrays.higher_faces.begin(), m_arrays.higher_faces.end(), face) -
-      m_arrays.higher_faces.begin());
+    return std::size_t(std::lower_bound(m_higher_faces.begin(), m_higher_faces.end(), face) -
+                       m_higher_faces.begin());
   }
-  Index lower_face(std::size_t adjacency) const { return m_arrays.lower_faces[adjacency]; }
-  Index higher_face(std::size_t adjacency) const { return m_arrays.higher_faces[adjacency]; }
+  Index lower_face(std::size_t adjacency) const { return m_lower_faces[adjacency]; }
+  Index higher_face(std::size_t adjacency) const { return m_higher_faces[adjacency]; }
   /// The length of an edge, half the length of a seam of three and more faces, or the length of
   /// contact of a link.
-  double length(std::size_t adjacency) const
-  {
-    return std::sqrt(m_arrays.squared_lengths[adjacency]);
-  }
-  double squared_length(std::size_t adjacency) const { return m_arrays.squared_lengths[adjacency]; }
+  double length(std::size_t adjacency) const { return std::sqrt(m_squared_lengths[adjacency]); }
+  double squared_length(std::size_t adjacency) const { return m_squared_lengths[adjacency]; }
   /// The sum of the `Flag`s of an adjacency.
-  std::uint8_t flags(std::size_t adjacency) const { return m_arrays.flags[adjacency]; }
+  std::uint8_t flags(std::size_t adjacency) const { return m_flags[adjacency]; }
   /// Whether an adjacency has one of several flags.
   bool has_flag(std::size_t adjacency, std::uint8_t any) const
   {
-    return (m_arrays.flags[adjacency] & any) != 0;
+    return (m_flags[adjacency] & any) != 0;
   }
 
   /// The cosine of the deviation, N_i . N_j, in [-1, 1]; 1 where there is no angle.
@@ -204,8 +189,7 @@ public:
   {
     if (!has_angle(adjacency))
       return 1;
-    const double c = dot(m_arrays.normals[m_arrays.lower_faces[adjacency]],
-                         m_arrays.normals[m_arrays.higher_faces[adjacency]]);
+    const double c = dot(m_normals[m_lower_faces[adjacency]], m_normals[m_higher_faces[adjacency]]);
     return (std::max)(-1.0, (std::min)(1.0, c));
   }
   /// The deviation in radians, in [0, pi]; 0 where there is no angle.
@@ -218,23 +202,33 @@ public:
   }
 
   /// Whether some adjacency is a seam or a link.
-  bool has_seams_or_links() const { return m_arrays.has_seams_or_links; }
+  bool has_seams_or_links() const { return m_has_seams_or_links; }
 
   bool has_angle(std::size_t adjacency) const
   {
-    const std::uint8_t f = m_arrays.flags[adjacency];
+    const std::uint8_t f = m_flags[adjacency];
     return (f & without_angle) == 0 && !((f & SEAM) && (f & (CONVEX | CONCAVE)) == 0);
   }
   /// @}
 
-private:
-  friend internal::Surface_arrays& arrays_of(Surface& surface) { return surface.m_arrays; }
-  friend const internal::Surface_arrays& arrays_of(const Surface& surface)
-  {
-    return surface.m_arrays;
-  }
-
-  internal::Surface_arrays m_arrays;
+protected:                                                       // is written by Surface_builder
+  Large_array<Double_3> m_points;                                // 24 bytes a vertex
+  Large_array<Index> m_first_corners = Large_array<Index>(1, 0); // 4 bytes a face, and 4 more
+  Large_array<Index> m_corners;                                  // 4 bytes a corner
+  Large_array<Double_3> m_normals;                               // 24 bytes a face
+  Large_array<double> m_areas;                                   // 8 bytes a face
+  Large_array<Index> m_lower_faces;                              // 4 bytes an adjacency
+  Large_array<Index> m_higher_faces;                             // 4 bytes an adjacency
+  Large_array<double> m_squared_lengths;                         // 8 bytes an adjacency
+  Large_array<std::uint8_t> m_flags;                             // 1 byte an adjacency
+  Large_array<Index> m_adjacencies; // 4 bytes a corner: that across the side which leaves it
+  Large_array<Index> m_adjacencies_in_mesh; // the same in the order of the mesh, or empty
+  std::vector<Index> m_merged_vertices; // by vertex: that which stands for it; empty: each itself
+  std::size_t m_number_apart = 0;
+  Partition m_component_of;   // 4 bytes a face
+  std::vector<bool> m_crumbs; // by component: whether it is a crumb; empty: none is
+  double m_unit = 1, m_area = 0;
+  bool m_has_seams_or_links = false;
 };
 
 namespace internal {

@@ -7,63 +7,51 @@
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Support/version.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
+#include <CGAL/Region_segmentation/Surface/internal/Mesh_order.h>
+#include <CGAL/Region_segmentation/Surface/internal/Polygon_input.h>
+#include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/Surface/internal/components.h>
 #include <CGAL/Region_segmentation/Surface/internal/find_links.h>
-#include <CGAL/Region_segmentation/Surface/internal/match_sides.h>
-#include <CGAL/Region_segmentation/Surface/internal/orient_components.h>
-#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/orient_faces.h>
+#include <CGAL/Region_segmentation/Surface/internal/sew_sides.h>
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Which adjacencies a surface has: those of neighbors in the input, also those across coinciding
-/// sides, or also links between components.
-enum class Adjacency_of { NEIGHBORS, COINCIDING_SIDES, COMPONENTS };
+/// Which faces are adjacent: neighbors in the input, also those at coinciding sides, or also linked
+/// components.
+enum class Adjacent { NEIGHBORS, AT_COINCIDING_SIDES, LINKED_COMPONENTS };
 
-/// Makes a surface of points and corners. This is a template so that `extern template` keeps it out
-/// of a translation unit.
-/// \tparam Raw `Raw_surface`
-template <typename Raw>
-Surface build_surface(Raw raw, Adjacency_of wanted, const Execution& execution)
+/// Makes a surface of what a builder has read. This is a template so that `extern template` keeps
+/// it out of a translation unit. \tparam Builder `Surface_builder`
+template <typename Builder>
+Surface build_surface(Builder builder, Adjacent adjacent, const Execution& execution)
 {
-  Surface& surface = raw.surface;
-  std::vector<Added_adjacency> added;
-  const bool is_open = wanted != Adjacency_of::NEIGHBORS &&
-                       std::find(raw.neighbors.begin(), raw.neighbors.end(), Raw::none) !=
-                         raw.neighbors.end();
-  if (is_open)
-    merge_points_of_open_sides(raw);
-  compute_normals(surface, execution.step(0, 0.3));
-  if (is_open) {
-    find_doubled_faces(raw, added);
-    const std::vector<bool> is_parallel = Side_matcher(raw, added).match();
-    orient_faces(raw, is_parallel, added);
+  const bool is_sewn = adjacent != Adjacent::NEIGHBORS && builder.has_open_sides();
+  if (is_sewn)
+    builder.merge_vertices_of_open_sides();
+  builder.compute_normals(execution.step(0, 0.3));
+  if (is_sewn) {
+    builder.separate_doubled_faces();
+    builder.match_open_sides();
+    builder.orient_faces();
   }
-  collect_adjacencies(raw, execution.step(0.3, 0.8));
-  raw.neighbors = Large_array<Surface::Index>(); // the next steps need the memory
-  insert_adjacencies(surface, added);
-  arrays_of(surface).component_of = edge_components(surface, execution.step(0.8, 0.9));
-  if (orient_components(surface) || surface.has_seams_or_links())
-    set_signs(surface);
-  join_degenerate_faces(surface);
-  if (wanted == Adjacency_of::COMPONENTS && surface.number_of_components() > 1)
-    insert_links(surface, execution.step(0.9, 1));
-  sum_up(surface);
-  return std::move(surface);
+  builder.collect_adjacencies(execution.step(0.3, 0.9));
+  builder.orient_components();
+  if (adjacent == Adjacent::LINKED_COMPONENTS)
+    builder.link_components(execution.step(0.9, 1));
+  return builder.finish();
 }
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED
-CGAL_REGION_SEGMENTATION_EXTERN template Surface build_surface(Raw_surface, Adjacency_of,
+CGAL_REGION_SEGMENTATION_EXTERN template Surface build_surface(Surface_builder, Adjacent,
                                                                const Execution&);
 #endif
 
@@ -75,28 +63,59 @@ bool component_links(const Pack& np)
     CGAL::parameters::get_parameter(np, internal_np::component_links), true);
 }
 
-template <typename FaceGraph, typename Pack>
-Surface make_surface(const Mesh_order<FaceGraph, Pack>& order, const Pack& np, Adjacency_of wanted,
-                     const Execution& execution)
+/// Which faces of a face graph are adjacent for a function that does not use links.
+template <typename Pack>
+Adjacent without_links(const Pack& np)
 {
-  return build_surface(read_face_graph(order, np, execution.step(0, 0.5)), wanted,
-                       execution.step(0.5, 1));
+  return component_links(np) ? Adjacent::AT_COINCIDING_SIDES : Adjacent::NEIGHBORS;
 }
 
+/// Which faces of a face graph are adjacent for a segmentation.
+template <typename Pack>
+Adjacent with_links(const Pack& np)
+{
+  return component_links(np) ? Adjacent::LINKED_COMPONENTS : Adjacent::NEIGHBORS;
+}
+
+/// Makes a surface of a face graph, without constraints.
+template <typename FaceGraph, typename Pack>
+Surface make_surface(const FaceGraph& mesh, const Pack& np, Adjacent adjacent,
+                     const Execution& execution)
+{
+  Surface_builder builder;
+  builder.read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, execution.step(0, 0.5));
+  return build_surface(std::move(builder), adjacent, execution.step(0.5, 1));
+}
+
+/// Makes the surface of a face graph for a segmentation.
 template <typename FaceGraph, typename Pack>
 Surface make_surface(const FaceGraph& mesh, const Pack& np, const Execution& execution)
 {
-  return make_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np,
-                      component_links(np) ? Adjacency_of::COMPONENTS : Adjacency_of::NEIGHBORS,
-                      execution.stage("reading"));
+  return make_surface(mesh, np, with_links(np), execution.stage("reading"));
 }
 
-/// The surface of a face graph as it is: without links, and with borders where they coincide.
+/// Makes a surface of a face graph that knows the adjacencies by the sides of the mesh, with its
+/// constraints.
 template <typename FaceGraph, typename Pack>
-Surface make_surface_of_neighbors(const FaceGraph& mesh, const Pack& np)
+Surface make_surface_with_sides(const FaceGraph& mesh, const Pack& np, const Execution& execution)
 {
-  return make_surface(Mesh_order<FaceGraph, Pack>(mesh, np), np, Adjacency_of::NEIGHBORS,
-                      Execution());
+  const Execution reading = execution.stage("reading");
+  Surface_builder builder;
+  builder.keep_sides_of_mesh();
+  builder.read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, reading.step(0, 0.5));
+  return constrained(Face_graph_input<FaceGraph>(mesh),
+                     build_surface(std::move(builder), with_links(np), reading.step(0.5, 1)), np);
+}
+
+/// The surface of a face graph as it is: no side is sewn, nothing is turned or linked.
+template <typename FaceGraph, typename Pack>
+Surface surface_as_given(const FaceGraph& mesh, const Pack& np)
+{
+  Surface_builder builder;
+  builder.read_face_graph(Mesh_order<FaceGraph, Pack>(mesh, np), np, Execution());
+  builder.compute_normals(Execution());
+  builder.collect_adjacencies(Execution());
+  return builder.finish();
 }
 
 template <typename PointRange, typename PolygonRange, typename Pack>
@@ -104,13 +123,13 @@ Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRang
                                      const Pack& np, const Execution& execution)
 {
   const Execution reading = execution.stage("reading");
-  return build_surface(read_polygons(points, polygons, reading.step(0, 0.5)),
-                       component_links(np) ? Adjacency_of::COMPONENTS
-                                           : Adjacency_of::COINCIDING_SIDES,
+  Surface_builder builder;
+  builder.read_polygons(points, polygons, reading.step(0, 0.5));
+  return build_surface(std::move(builder),
+                       component_links(np) ? Adjacent::LINKED_COMPONENTS
+                                           : Adjacent::AT_COINCIDING_SIDES,
                        reading.step(0.5, 1));
 }
-
-using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::internal_np::visitor_t>;
 
 } // namespace internal
 
@@ -120,16 +139,21 @@ using Surface_parameters = Tag_list<internal_np::component_links_t, CGAL::intern
 /// Neighbors are those of the graph. Unless `component_links` is `false`, faces at border edges
 /// with equal end points are adjacent, too, and components are linked, as those of polygons are.
 ///
+/// End points are equal, too, if their coordinates differ by at most \f$2^{-22}\f$ of the largest
+/// coordinate of the surface, the rounding of single precision, and by at most a tenth of the
+/// shortest border edge at them. `Surface::number_of_vertices_apart_by_rounding()` counts these.
+///
 /// An outermost closed component of negative signed volume is inside out: it is turned, together
 /// with the closed components inside it. A closed one of negative volume inside another one bounds
 /// a void, and stays. Open components are read as they are.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`
-/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
+/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
+///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \param mesh its faces are polygons of any size
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-///        `component_links`, `visitor` (stage "reading"), `vertex_point_map`, `face_index_map`,
-///        `vertex_index_map`; see `segment()`
+///        `edge_is_constrained_map`, `component_links`, `visitor` (stage "reading"),
+///        `vertex_point_map`, `face_index_map`, `vertex_index_map`; see `segment()`
 /// \throws Invalid_input if a point of a face is not finite, Segmentation_cancelled if the visitor
 /// cancels
 ///
@@ -140,17 +164,18 @@ Surface make_surface(const FaceGraph& mesh,
                      const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
-  return internal::make_surface(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
+  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Reading_parameters>();
+  return internal::make_surface_with_sides(mesh, pack,
+                                           internal::make_execution<ConcurrencyTag>(pack));
 }
 
 /// \ingroup PkgRegionSegmentationData
 /// makes a surface of points and polygons. They need not be manifold, oriented, connected or free
 /// of duplicates.
 ///
-/// - Points with equal coordinates are one vertex if they are at a side that has not exactly one
-///   partner with the same two indices. So closed components keep vertices of their own, as those
-///   of a face graph.
+/// - Points with equal coordinates, or that are apart by rounding as those of a face graph, are one
+///   vertex if they are at a side that has not exactly one partner with the same two indices. So
+///   closed components keep vertices of their own, as those of a face graph.
 /// - Two sides of polygons with the same two vertices are an edge. More than two sides are seams,
 ///   see `Surface`; but the sides of degenerate faces among them are edges to the lowest other
 ///   face.
@@ -164,6 +189,9 @@ Surface make_surface(const FaceGraph& mesh,
 /// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
 ///         for its coordinates
 /// \tparam PolygonRange a range of ranges of indices of points
+/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
+///        `constrained_edges`, `component_links`, `visitor` (stage "reading"); see
+///        `segment_polygon_soup()`
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, or a point of a
 ///         polygon is not finite; Segmentation_cancelled if the visitor cancels
 ///
@@ -174,9 +202,14 @@ Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRang
                                      const NamedParameters& np = parameters::default_values())
 {
   const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Surface_parameters>();
-  return internal::make_surface_of_polygon_soup(points, polygons, pack,
-                                                internal::make_execution<ConcurrencyTag>(pack));
+  internal::check_parameters<
+    std::decay_t<decltype(pack)>,
+    internal::Tag_list<internal_np::component_links_t, internal_np::constrained_edges_t,
+                       CGAL::internal_np::visitor_t>>();
+  Surface surface = internal::make_surface_of_polygon_soup(
+    points, polygons, pack, internal::make_execution<ConcurrencyTag>(pack));
+  const internal::Polygon_input input(surface.number_of_faces());
+  return internal::constrained(input, std::move(surface), pack);
 }
 
 } // namespace Region_segmentation

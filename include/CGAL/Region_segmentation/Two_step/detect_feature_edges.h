@@ -6,7 +6,8 @@
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
-#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
+#include <CGAL/Region_segmentation/Surface/edge_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_type_config.h>
@@ -149,9 +150,10 @@ std::size_t detect_feature_edges(const FaceGraph& mesh, EdgeIsFeatureMap edge_is
                         "maximum_angle is in [0, 180] degrees");
   const Feature_convexity convexity = choose_parameter(
     get_parameter(pack, internal_np::feature_convexity), Feature_convexity::CONCAVE);
-  const internal::Stage_input input(mesh, pack, execution);
-  return input.write(
-    mark_feature_edges(input.surface(), maximum_angle, convexity, execution.stage("features")),
+  const Surface surface = internal::make_surface_with_sides(mesh, pack, execution);
+  return write_edge_values(
+    mesh, surface,
+    mark_feature_edges(surface, maximum_angle, convexity, execution.stage("features")),
     edge_is_feature_map);
 }
 

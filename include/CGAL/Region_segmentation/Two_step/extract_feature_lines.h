@@ -6,7 +6,8 @@
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
-#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
+#include <CGAL/Region_segmentation/Surface/edge_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 #include <CGAL/tags.h>
@@ -262,16 +263,17 @@ extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_ma
   const std::size_t minimum_length = CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(pack, CGAL::internal_np::minimum_length),
     (std::numeric_limits<std::size_t>::max)());
-  const internal::Stage_input input(mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
-  std::vector<std::uint8_t> is_feature = input.read(edge_is_feature_map);
+  const Surface surface = internal::make_surface_with_sides(
+    mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
+  std::vector<std::uint8_t> is_feature = edge_values(mesh, surface, edge_is_feature_map);
   std::vector<std::vector<Surface::Index>> lines;
-  extract_feature_lines(input.surface(), is_feature, std::back_inserter(lines), minimum_length);
+  extract_feature_lines(surface, is_feature, std::back_inserter(lines), minimum_length);
 
-  input.write(is_feature, edge_is_feature_map);
+  write_edge_values(mesh, surface, is_feature, edge_is_feature_map);
   for (const std::vector<Surface::Index>& line : lines) {
     std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> polyline;
     for (const Surface::Index v : line)
-      polyline.push_back(input.vertices()[v]);
+      polyline.push_back(*std::next(vertices(mesh).begin(), v));
     *polylines++ = polyline;
   }
   return polylines;

@@ -7,9 +7,10 @@
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/edge_values.h>
 #include <CGAL/Region_segmentation/Surface/face_values.h>
-#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/tags.h>
 
@@ -110,15 +111,14 @@ std::size_t grow_regions(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature
   static_assert(internal::check_edge_map<EdgeIsFeatureMap, FaceGraph>());
   static_assert(internal::check_face_map<FaceRegionMap, FaceGraph>());
   const Execution execution = internal::make_execution<ConcurrencyTag>(pack);
-  const internal::Stage_input input(mesh, pack, execution);
-  const Surface& surface = input.surface();
-  std::vector<std::uint8_t> is_feature = input.read(edge_is_feature_map);
+  const Surface surface = internal::make_surface_with_sides(mesh, pack, execution);
+  std::vector<std::uint8_t> is_feature = edge_values(mesh, surface, edge_is_feature_map);
   const Partition regions = grow_regions(surface, is_feature, execution.stage("regions"));
   for (std::size_t a = 0; a < is_feature.size(); ++a)
     is_feature[a] &= regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
 
   write_face_values(mesh, regions, region_map);
-  input.write(is_feature, edge_is_feature_map);
+  write_edge_values(mesh, surface, is_feature, edge_is_feature_map);
   return regions.number_of_parts();
 }
 

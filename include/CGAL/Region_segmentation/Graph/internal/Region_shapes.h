@@ -200,8 +200,8 @@ inline bool counts_for_convexity(const Surface& mesh, std::size_t edge)
 inline bool is_clearly_concave(const Surface& mesh)
 {
   double squared_lengths = 0; // of the edges that are not known yet
-  for (const double l : arrays_of(mesh).squared_lengths)
-    squared_lengths += l;
+  for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e)
+    squared_lengths += mesh.squared_length(e);
   squared_lengths *= 1 + 1e-6; // rounding
   const std::size_t n = mesh.number_of_adjacencies();
   double concave = 0, convex = 0;

@@ -6,7 +6,8 @@
 #include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Support/Large_array.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <array>
@@ -41,12 +42,13 @@ public:
   using Index = Segmented_halfedges::Index;
   using Points = Large_array<Double_3>;
 
-  /// `points`: the points of the vertices of the mesh
+  /// `surface`: has the points of the vertices of the mesh
   /// `is_turned(face)`: whether the corners of a face are taken in reverse order
   template <typename IsTurned>
-  Segment_caps(const Segmented_halfedges& mesh, Points points, const IsTurned& is_turned)
-    : m_points(std::move(points))
+  Segment_caps(const Segmented_halfedges& mesh, const Surface& surface, const IsTurned& is_turned)
   {
+    for (std::size_t v = 0; v < mesh.number_of_vertices; ++v)
+      m_points.push_back(surface.point(v));
     for (Index h = 0; h < mesh.size(); ++h)
       if (const Pair pair(mesh.segment(h), mesh.segment_across(h)); pair.first < pair.second) {
         const bool is_swapped = is_turned(mesh.face[h]);

@@ -7,11 +7,10 @@
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/internal/Mesh_order.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
-#include <CGAL/Region_segmentation/Surface/internal/read_surface.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -123,21 +122,21 @@ auto read_segmented_mesh(const FaceGraph& mesh, const SegmentMap& segment_map, c
   using Index = Segmented_halfedges::Index;
   Segmented_mesh<FaceGraph, typename boost::property_traits<SegmentMap>::value_type> result;
   const Mesh_order<FaceGraph, Pack> order(mesh, np);
-  const auto index = get_initialized_halfedge_index_map(mesh, np);
-  std::vector<Index> number_of(num_halfedges(mesh), Index(result.none));
   result.faces = order.ordered_faces();
   result.vertices = order.ordered_vertices();
   result.number_of_vertices = result.vertices.size();
   for (const auto f : result.faces) {
     for (const auto h : CGAL::halfedges_around_face(order.first_halfedge(f), mesh)) {
-      number_of[std::size_t(get(index, h))] = Index(result.size());
       result.halfedges.push_back(h);
       result.source.push_back(order.vertex_rank(source(h, mesh)));
     }
     result.add_face();
   }
+  using Number = Number_in<CGAL::internal_np::halfedge_index_t, Pack>;
+  const Iteration_ranks<typename boost::graph_traits<FaceGraph>::halfedge_descriptor, Number>
+    numbers(result.halfedges, Number(np));
   for (const auto h : result.halfedges)
-    result.opposite.push_back(number_of[std::size_t(get(index, opposite(h, mesh)))]);
+    result.opposite.push_back(numbers[opposite(h, mesh)]);
   result.segment_of_face = number_labels(face_values(mesh, segment_map), result.labels);
   result.number_of_segments = result.labels.size();
   std::replace(result.segment_of_face.begin(), result.segment_of_face.end(), Index(result.none),

@@ -7,7 +7,9 @@
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/Surface/internal/sew_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +102,9 @@ inline void smooth_points(const std::vector<Vertex_height>& heights, Large_array
 inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
-  Large_array<Double_3> points = arrays_of(surface).points;
+  Large_array<Double_3> points(surface.number_of_vertices());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] = surface.point(v);
   for (int round = 0; round < most_rounds; ++round) {
     const std::vector<Vertex_height> heights = vertex_heights(surface, points);
     const double share_of_noise = round == 0 ? 0.42 : 0.2; // of the sides between vertices with
@@ -112,18 +116,9 @@ inline std::optional<Surface> without_noise(const Surface& surface, const Execut
     else
       break;
   }
-  Surface result = surface;
-  Surface_arrays& arrays = arrays_of(result);
-  arrays.points = std::move(points);
-  compute_normals(result, execution);
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    if (surface.is_degenerate(f)) { // a degenerate face remains degenerate
-      arrays.normals[f] = {0, 0, 0};
-      arrays.areas[f] = surface.area(f);
-    }
-  sum_up(result);
-  set_signs(result);
-  return result;
+  Surface_builder builder(surface);
+  builder.set_points(std::move(points), execution);
+  return builder.finish();
 }
 
 } // namespace internal

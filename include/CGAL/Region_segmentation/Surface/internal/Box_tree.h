@@ -315,7 +315,8 @@ private:
 };
 
 /// The faces of a surface, divided into triangles from their first corner, and a tree of their
-/// boxes.
+/// boxes. These are relative to an origin on the surface, so that their coordinates, which are
+/// rounded, have the digits that tell the faces apart, also far from the origin of the mesh.
 class Face_tree
 {
 public:
@@ -323,11 +324,17 @@ public:
 
   explicit Face_tree(const Surface& surface)
     : m_surface(surface)
+    , m_origin(surface.number_of_faces() > 0 ? surface.point(surface.corner(0, 0)) : Double_3{})
     , m_triangles(fan_triangles(surface))
-    , m_tree(m_triangles.size(), [&](Index item) { return box_of(triangle(m_triangles[item])); })
+    , m_tree(m_triangles.size(), [&](Index item) {
+      auto [a, b, c] = triangle(m_triangles[item]);
+      return box_of(Triangle{a - m_origin, b - m_origin, c - m_origin});
+    })
   {}
 
   const Box_tree& boxes() const { return m_tree; }
+  /// The point of the surface to which the boxes are relative.
+  const Double_3& origin() const { return m_origin; }
 
   /// The face that the triangle of a leaf is a part of.
   Index face(Index leaf) const { return m_triangles[m_tree.item(leaf)].face; }
@@ -359,6 +366,7 @@ private:
   }
 
   const Surface& m_surface;
+  Double_3 m_origin;
   std::vector<Fan_triangle> m_triangles;
   Box_tree m_tree;
 };

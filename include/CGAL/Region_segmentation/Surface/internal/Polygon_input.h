@@ -6,7 +6,7 @@
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
-#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -46,7 +46,7 @@ public:
         throw Invalid_input("a constraint has a point that does not exist");
       edges.push_back({Surface::Index(v), Surface::Index(w)});
     }
-    mark_constraints(surface, edges);
+    constrain(surface, std::move(edges));
   }
 
   /// \throws Invalid_input if a range has another number of elements, or does not hold labels below

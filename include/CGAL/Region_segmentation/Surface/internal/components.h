@@ -127,13 +127,6 @@ inline Partition label_components(const Surface& surface,
   return label_components(surface, is_barred.data(), 1, execution);
 }
 
-/// The connected components of the faces across edges.
-inline Partition edge_components(const Surface& surface, const Execution& execution)
-{
-  return label_components(surface, arrays_of(surface).flags.data(), Surface::SEAM | Surface::LINK,
-                          execution);
-}
-
 /// The area of each part of the faces: the sum of the areas of its faces, in their order.
 inline std::vector<double> part_areas(const Surface& surface, const Partition& parts)
 {

@@ -8,7 +8,7 @@
 #include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
-#include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
+#include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
@@ -21,6 +21,12 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// A link between two faces, with the length of their contact, which is 0 for a gap.
+inline Added_adjacency link_of(Surface::Index f, Surface::Index g, double length)
+{
+  return {(std::min)(f, g), (std::max)(f, g), length * length, Surface::LINK};
+}
 
 /// Finds the links between components: between faces that are in contact, and between the nearest
 /// faces of components that are not connected by these.
@@ -198,17 +204,19 @@ find_links(const Surface& surface, const Partition& component_of, const Executio
 
 /// Adds links between sets of faces that edges and seams do not connect, and marks crumbs:
 /// components of less than 1/1000 of the area of the largest one.
-inline void insert_links(Surface& surface, const Execution& execution)
+inline void Surface_builder::link_components(const Execution& execution)
 {
-  const Partition connected = label_components(
-    surface, [](std::size_t) { return true; }, execution.silent());
-  insert_adjacencies(surface, find_links(surface, connected, execution));
-  Surface_arrays& arrays = arrays_of(surface);
-  const std::vector<double> areas = part_areas(surface, arrays.component_of);
+  if (number_of_components() < 2)
+    return;
+  insert_adjacencies(find_links(*this,
+                                label_components(
+                                  *this, [](std::size_t) { return true; }, execution.silent()),
+                                execution));
+  const std::vector<double> areas = part_areas(*this, m_component_of);
   const auto [least, greatest] = std::minmax_element(areas.begin(), areas.end());
   if (const double bound = 1e-3 * *greatest; *least < bound)
     for (const double area : areas)
-      arrays.crumbs.push_back(area < bound);
+      m_crumbs.push_back(area < bound);
 }
 
 /// The pairs of regions to be merged first, so that each crumb is one region and joins another
@@ -222,8 +230,7 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
   std::vector<std::pair<Index, Index>> result;
   if (surface.number_of_crumbs() == 0)
     return result;
-  const Surface_arrays& arrays = arrays_of(surface);
-  const Partition& component_of = arrays.component_of;
+  const Partition& component_of = surface.components();
   const std::vector<double> areas = part_areas(surface, component_of);
   // The ways out of crumbs: area of the crumb, crumb, -length of contact, distance, the region in
   // the crumb, that in the other component, this component.
@@ -244,7 +251,9 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
     }
   std::sort(ways.begin(), ways.end());
   Lowest_root_forest joined(areas.size());
-  std::vector<bool> is_crumb = arrays.crumbs; // by root: all of its components are crumbs
+  std::vector<bool> is_crumb(areas.size()); // by root: all of its components are crumbs
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    is_crumb[component_of[f]] = surface.is_crumb(f);
   const auto unite = [&](Index c, Index d) {
     const Index from = joined.root(c), to = joined.root(d);
     const bool both = is_crumb[from] && is_crumb[to];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_COMPONENTS_H
-#define CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_COMPONENTS_H
+#ifndef CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_FACES_H
+#define CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_FACES_H
 
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
-#include <CGAL/Region_segmentation/Surface/internal/match_sides.h>
+#include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 
 #include <algorithm>
 #include <array>
@@ -21,28 +21,13 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Reverses the boundary of a face, which still begins at its vertex of lowest index.
-/// `across`: an array by side, which is reversed like the corners
-inline void turn_face(Surface_arrays& arrays, Large_array<Surface::Index>& across, std::size_t face)
-{
-  const auto first = std::ptrdiff_t(arrays.first_corners[face]),
-             past = std::ptrdiff_t(arrays.first_corners[face + 1]);
-  arrays.normals[face] = -1.0 * arrays.normals[face];
-  std::reverse(arrays.corners.begin() + first + 1, arrays.corners.begin() + past);
-  std::reverse(across.begin() + first, across.begin() + past);
-}
-
 /// Turns faces so that neighbors across edges run in opposite directions along them. Of each
 /// component the part of larger area (of equal ones that with the lowest face) remains as it is.
 /// Edges whose two faces cannot be oriented consistently become seams.
-/// `is_parallel`: by side, whether that of the neighbor runs in the same direction
-inline void orient_faces(Raw_surface& raw, const std::vector<bool>& is_parallel,
-                         std::vector<Added_adjacency>& added)
+inline void Surface_builder::orient_faces()
 {
-  using Index = Surface::Index;
-  Surface_arrays& arrays = arrays_of(raw.surface);
-  const std::size_t size = arrays.normals.size();
-  if (std::find(is_parallel.begin(), is_parallel.end(), true) == is_parallel.end())
+  const std::size_t size = number_of_faces();
+  if (std::find(m_is_parallel.begin(), m_is_parallel.end(), true) == m_is_parallel.end())
     return;
   enum : char { AS_IT_IS, TURNED, NOT_REACHED };
   std::vector<char> state(size, NOT_REACHED);
@@ -54,10 +39,10 @@ inline void orient_faces(Raw_surface& raw, const std::vector<bool>& is_parallel,
     state[seed] = AS_IT_IS;
     for (std::size_t i = 0; i < component.size(); ++i) {
       const Index f = component[i];
-      areas[int(state[f])] += arrays.areas[f];
-      for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
-        if (const Index g = raw.neighbors[c]; Raw_surface::is_face(g) && state[g] == NOT_REACHED) {
-          state[g] = (state[f] == TURNED) != is_parallel[c] ? TURNED : AS_IT_IS;
+      areas[int(state[f])] += m_areas[f];
+      for (Index c = m_first_corners[f]; c < m_first_corners[f + 1]; ++c)
+        if (const Index g = m_neighbors[c]; is_face(g) && state[g] == NOT_REACHED) {
+          state[g] = (state[f] == TURNED) != m_is_parallel[c] ? TURNED : AS_IT_IS;
           component.push_back(g);
         }
     }
@@ -66,16 +51,15 @@ inline void orient_faces(Raw_surface& raw, const std::vector<bool>& is_parallel,
         state[f] = state[f] == TURNED ? AS_IT_IS : TURNED;
   }
   for (Index f = 0; f < size; ++f) {
-    for (Index c = arrays.first_corners[f]; c < arrays.first_corners[f + 1]; ++c)
-      if (const Index g = raw.neighbors[c];
-          Raw_surface::is_face(g) && g > f && (state[f] != state[g]) != is_parallel[c]) {
-        added.push_back(seam_between(raw.surface, f, g, arrays.corners[c],
-                                     arrays.corners[next_corner(arrays, f, c)], 1));
-        raw.neighbors[side_across(raw, f, c)] = Raw_surface::at_seam;
-        raw.neighbors[c] = Raw_surface::at_seam;
+    for (Index c = m_first_corners[f]; c < m_first_corners[f + 1]; ++c)
+      if (const Index g = m_neighbors[c];
+          is_face(g) && g > f && (state[f] != state[g]) != m_is_parallel[c]) {
+        m_added.push_back(seam_between(f, g, m_corners[c], m_corners[next_corner(f, c)], 1));
+        m_neighbors[side_across(f, c)] = at_seam;
+        m_neighbors[c] = at_seam;
       }
     if (state[f] == TURNED)
-      turn_face(arrays, raw.neighbors, f);
+      turn_face(f);
   }
 }
 
@@ -113,14 +97,14 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
 {
   using Index = Surface::Index;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Axis_box> boxes(is_closed.size());
+  std::vector<Axis_box> boxes(is_closed.size()); // relative to the origin of the tree
   std::vector<Double_3> lowest(is_closed.size(), {infinity, infinity, infinity});
   const Face_tree tree(surface);
   const auto component = [&](Index leaf) { return component_of[tree.face(leaf)]; };
   for (Index f = 0; f < component_of.size(); ++f)
     for (const Index v : surface.corners(f)) {
       const Index c = component_of[f];
-      boxes[c].add(box_of(std::array{surface.point(v)}));
+      boxes[c].add(box_of(std::array{surface.point(v) - tree.origin()}));
       lowest[c] = (std::min)(lowest[c], surface.point(v), is_lower);
     }
   const auto is_in_box_of = [&](Index c, Index d) {
@@ -136,7 +120,7 @@ inline std::vector<Surface::Index> find_outermost(const Surface& surface,
     result.push_back(c);
     if (!is_closed[c])
       continue;
-    Axis_box above = box_of(std::array{lowest[c]});
+    Axis_box above = box_of(std::array{lowest[c] - tree.origin()});
     above.high[2] = std::numeric_limits<float>::infinity();
     std::map<Index, bool> contains; // by component: whether the number of its faces above is odd
     tree.boxes().search([&](Index node) { return squared_gap(tree.boxes().box(node), above); },
@@ -169,20 +153,20 @@ struct Component_volume
   }
 };
 
-/// Turns the outermost closed components of negative signed volume, together with the closed
-/// components inside them. Returns whether any face is turned.
-inline bool orient_components(Surface& surface)
+/// The volumes of the components, relative to the first point, so that nothing cancels far from the
+/// origin.
+inline std::vector<Component_volume> component_volumes(const Surface& surface)
 {
   using Index = Surface::Index;
-  Surface_arrays& arrays = arrays_of(surface);
-  const Partition& component_of = arrays.component_of;
+  const Partition& component_of = surface.components();
   std::vector<Component_volume> components(component_of.number_of_parts());
   for (std::size_t f = 0; f < component_of.size(); ++f) {
     Component_volume& component = components[component_of[f]];
-    const Double_3 face = arrays.areas[f] * arrays.normals[f];
-    component.area += arrays.areas[f];
+    const Double_3 face = surface.area(f) * surface.normal(f);
+    component.area += surface.area(f);
     component.area_vector = component.area_vector + face;
-    component.volume += dot(surface.point(surface.corner(f, 0)), face);
+    component.volume += dot(
+      surface.point(surface.corner(f, 0)) - surface.point(surface.corner(0, 0)), face);
     for (std::size_t i = 0; i < surface.number_of_corners(f) && !surface.is_degenerate(f); ++i)
       component.has_border |= surface.adjacency(f, i) == Surface::none;
   }
@@ -190,22 +174,32 @@ inline bool orient_components(Surface& surface)
     if (surface.has_flag(a, Surface::SEAM))
       for (const Index f : {surface.lower_face(a), surface.higher_face(a)})
         components[component_of[f]].has_seam = true;
+  return components;
+}
+
+/// Turns the outermost closed components of negative signed volume, together with the closed
+/// components inside them, and sets the signs of angles that this changes, and those of seams.
+inline void Surface_builder::orient_components()
+{
   std::vector<bool> is_closed, is_inside_out;
-  for (const Component_volume& component : components) {
+  for (const Component_volume& component : component_volumes(*this)) {
     is_closed.push_back(component.is_closed());
     is_inside_out.push_back(component.is_closed() && component.volume < 0);
   }
-  if (std::find(is_inside_out.begin(), is_inside_out.end(), true) == is_inside_out.end())
-    return false;
-  const std::vector<Index> outermost = find_outermost(surface, component_of, is_closed);
-  for (std::size_t f = 0; f < component_of.size(); ++f)
-    if (const Index c = component_of[f]; is_closed[c] && is_inside_out[outermost[c]])
-      turn_face(arrays, arrays.adjacencies, f);
-  return true;
+  const bool are_turned = std::find(is_inside_out.begin(), is_inside_out.end(), true) !=
+                          is_inside_out.end();
+  if (are_turned) {
+    const std::vector<Index> outermost = find_outermost(*this, m_component_of, is_closed);
+    for (std::size_t f = 0; f < number_of_faces(); ++f)
+      if (const Index c = m_component_of[f]; is_closed[c] && is_inside_out[outermost[c]])
+        turn_face(f);
+  }
+  if (are_turned || has_seams_or_links())
+    set_signs();
 }
 
 } // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_COMPONENTS_H
+#endif // CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_FACES_H
