@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/internal/collect_adjacencies.h>
-#include <CGAL/Region_segmentation/Surface/internal/sew_sides.h>
 
 #include <algorithm>
 #include <cmath>

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -114,7 +115,7 @@ public:
     return std::find(m_neighbors.begin(), m_neighbors.end(), none) != m_neighbors.end();
   }
 
-  /// \name Sewing of open sides, in sew_sides.h
+  /// \name Sewing of open sides, in open_sides.h and sew_sides.h
   /// @{
   void merge_vertices_of_open_sides();
   void compute_normals(const Execution& execution);
@@ -319,9 +320,17 @@ private:
     return result;
   }
 
+  /// Whether two faces are on the same points, as faces of two bodies that touch.
+  bool are_twins(Index f, Index g) const
+  {
+    const auto twin = m_twins.find(f);
+    return twin != m_twins.end() && twin->second == g;
+  }
+
   template <typename F>
   void for_each_open_edge(const F& f) const;
   std::vector<double> shortest_open_sides() const;
+  std::vector<bool> sides_between_bodies() const;
   void separate_from_neighbors(Index face);
   Added_adjacency seam_between(Index f, Index g, Index v, Index w, double share) const;
   void resize_adjacencies(std::size_t size);
@@ -334,6 +343,7 @@ private:
   std::vector<bool> m_is_parallel;      // by side: whether that of its neighbor runs alike
   std::vector<Added_adjacency> m_added; // seams, and adjacencies of doubled faces
   Large_array<Index> m_places_in_mesh; // by side: its place among those that the mesh has; or empty
+  std::map<Index, Index> m_twins;
   double m_largest_coordinate = 0;
   bool m_keeps_sides_of_mesh = false;
 };

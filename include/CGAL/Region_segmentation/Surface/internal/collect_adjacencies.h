@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -21,6 +22,48 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+/// The area vector of a polygon, by Newell's formula relative to the first corner, A = 1/2 sum
+/// (p_i - p_0) x (p_i+1 - p_0), which avoids cancellation far from the origin.
+/// `first`, `past`: its corners; `points`: by vertex
+inline Double_3 area_vector(const Double_3* points, const Surface::Index* first,
+                            const Surface::Index* past)
+{
+  const Double_3& origin = points[*first];
+  Double_3 twice_area{};
+  for (const Surface::Index* c = first + 1; c + 1 < past; ++c)
+    twice_area = twice_area + cross(points[c[0]] - origin, points[c[1]] - origin);
+  return 0.5 * twice_area;
+}
+
+/// The areas and normals of the faces. The normal of a face is zero, and the face thereby
+/// degenerate, if its area is at most 1e-12 times the square of its longest edge.
+inline void Surface_builder::compute_normals(const Execution& execution)
+{
+  const std::size_t size = number_of_faces();
+  m_normals.resize(size);
+  m_areas.resize(size);
+  // Through references to the arrays it takes twice as long.
+  const Double_3* const points = m_points.data();
+  const Index *const corners = m_corners.data(), *const first_corners = m_first_corners.data();
+  double* const areas = m_areas.data();
+  Double_3* const normals = m_normals.data();
+  for_each_block(execution, size, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const Index *const first = corners + first_corners[f], *const past = corners +
+                                                                           first_corners[f + 1];
+      double squared_longest_edge = 0;
+      for (const Index *previous = past - 1, *c = first; c != past; previous = c++)
+        squared_longest_edge = (std::max)(squared_longest_edge,
+                                          squared_norm(points[*c] - points[*previous]));
+      const Double_3 vector = area_vector(points, first, past);
+      const double area = areas[f] = norm(vector);
+      const bool has_normal = area > 1e-12 * squared_longest_edge &&
+                              area >= (std::numeric_limits<double>::min)();
+      normals[f] = has_normal ? (1 / area) * vector : Double_3{};
+    }
+  });
+}
 
 /// The flag of the sign of the angle between two faces, from the normals of the higher and the
 /// lower face, and the direction in which the boundary of the higher face runs along their edge.
