@@ -596,6 +596,137 @@ TEST(Orientation_test, closed_components_inside_another_one_are_voids)
   }
 }
 
+// As in UTM metres, and where a double has two decimals left.
+TEST(Orientation_test, a_thin_wall_far_from_the_origin_keeps_its_void)
+{
+  const Soup outer = scaled(sphere(3), 10), inner = reversed(scaled(sphere(3), 9.9));
+  for (double far : {0., 5e5, 5e6, 5e8}) {
+    const Soup soup = translated(joined(outer, inner), far, -far, far / 2);
+    for (const RS::Surface& surface : {RS::make_surface(to_surface_mesh(soup)), surface_of(soup)})
+      for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+        const bool is_outward = dot(surface.normal(f),
+                                    surface.centroid(f) - Double_3{far, -far, far / 2}) > 0;
+        ASSERT_EQ(is_outward, f < outer.polygons.size()) << far << ", face " << f;
+      }
+  }
+}
+
+// Every triangle has points of its own, whose coordinates are moved by up to `amplitude` of the
+// largest coordinate.
+Soup torn_apart(const Soup& soup, double amplitude, std::mt19937& random)
+{
+  double largest = 0;
+  Soup result = torn(soup);
+  for (const Point& p : result.points)
+    for (double x : p)
+      largest = std::max(largest, std::abs(x));
+  for (Point& p : result.points)
+    for (double& x : p)
+      x += largest * std::uniform_real_distribution<>(-amplitude, amplitude)(random);
+  return result;
+}
+
+TEST(Points_apart_by_rounding_test, are_one)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    for (double far : {0., 100., -3000.}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(far));
+      std::mt19937 random(seed);
+      const Soup soup = translated(triangulated(dumbbell()), far, far, 0);
+      const RS::Surface whole = surface_of(soup);
+      const RS::Surface surface = surface_of(torn_apart(soup, 0x1p-24, random));
+      EXPECT_EQ(surface.number_of_adjacencies(), whole.number_of_adjacencies());
+      EXPECT_EQ(surface.number_of_components(), 1u);
+      EXPECT_EQ(surface.number_of_vertices_apart_by_rounding(),
+                surface.number_of_vertices() - soup.points.size());
+      EXPECT_EQ(whole.number_of_vertices_apart_by_rounding(), 0u);
+      // As borders of a face graph.
+      const RS::Surface of_graph = RS::make_surface(
+        to_surface_mesh(torn_apart(soup, 0x1p-24, random)));
+      EXPECT_EQ(of_graph.number_of_adjacencies(), whole.number_of_adjacencies());
+    }
+}
+
+TEST(Points_apart_by_rounding_test, those_farther_apart_stay)
+{
+  // A slit of 2^-20 of the size, and one that is as wide as the sides beside it are long.
+  for (double width : {0x1p-20, 0.5}) {
+    const double far = width < 0.1 ? 1 : 0x1p22;
+    Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
+    soup = joined(translated(soup, far - 1, 0, 0), translated(soup, far - 1, -1 - width, 0));
+    const RS::Surface surface = surface_of(soup);
+    EXPECT_EQ(surface.number_of_components(), 2u) << width;
+    EXPECT_EQ(surface.number_of_vertices_apart_by_rounding(), 0u) << width;
+  }
+}
+
+// Polygons whose area vector is parallel to an edge of four faces have no direction around it.
+TEST(Seams_test, faces_without_a_direction_around_their_edge_are_sewn)
+{
+  Soup soup{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (int i = 0; i < 40; ++i) { // a zigzag whose area vector is (0, 0, 1) or about
+    const double x = 1 + i % 7, y = i % 5;
+    const std::size_t n = soup.points.size();
+    soup.points.insert(soup.points.end(),
+                       {{x, y, 1}, {-x, 2 * y + 1, 0}, {x, 2, 0}, {x - 3, y, 0}});
+    soup.polygons.push_back({0, 1, n, n + 1, n + 2, n + 3});
+  }
+  // A square and its path back: Newell's vector of 0 1 ... is along the edge 0 1.
+  const std::size_t n = soup.points.size();
+  soup.points.insert(soup.points.end(), {{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  for (int i = 0; i < 20; ++i)
+    soup.polygons.push_back({0, 1, n, n + 1, n + 2, n + 3, 0, n + 1, n, 1});
+  const RS::Surface surface = surface_of(soup);
+  EXPECT_EQ(surface.number_of_faces(), 60u);
+  expect_consistent_corners(surface);
+}
+
+// Two boxes with a side of each on the same points, as polygons with common points, with points of
+// their own, and with those of each triangle.
+TEST(Doubled_faces_test, of_two_bodies_remain)
+{
+  const Soup shared{{{0, 0, 0},
+                     {1, 0, 0},
+                     {1, 1, 0},
+                     {0, 1, 0},
+                     {0, 0, 1},
+                     {1, 0, 1},
+                     {1, 1, 1},
+                     {0, 1, 1},
+                     {0, 0, 2},
+                     {1, 0, 2},
+                     {1, 1, 2},
+                     {0, 1, 2}},
+                    {{0, 3, 2, 1},
+                     {0, 1, 5, 4},
+                     {1, 2, 6, 5},
+                     {2, 3, 7, 6},
+                     {3, 0, 4, 7},
+                     {4, 5, 6, 7},
+                     {4, 7, 6, 5},
+                     {4, 5, 9, 8},
+                     {5, 6, 10, 9},
+                     {6, 7, 11, 10},
+                     {7, 4, 8, 11},
+                     {8, 9, 10, 11}}};
+  for (const Soup& soup : {shared, triangulated(shared), torn(triangulated(shared))}) {
+    const RS::Surface surface = surface_of(soup);
+    EXPECT_EQ(surface.number_of_components(), 2u);
+    EXPECT_EQ(surface.area(), 12);
+    EXPECT_TRUE(with_flags(surface, RS::Surface::SEAM).empty());
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      EXPECT_FALSE(surface.is_degenerate(f));
+      const double middle = f < surface.number_of_faces() / 2 ? 0.5 : 1.5;
+      EXPECT_GT(dot(surface.normal(f), surface.centroid(f) - Double_3{0.5, 0.5, middle}), 0);
+    }
+    expect_consistent_corners(surface);
+  }
+  // A face of one body that is given twice is still degenerate.
+  Soup twice = shared;
+  twice.polygons.push_back({5, 6, 7, 4});
+  EXPECT_TRUE(surface_of(twice).is_degenerate(12));
+}
+
 TEST(Doubled_faces_test, are_degenerate_and_adjacent_to_the_first_alone)
 {
   for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::QUAD_SHEET})

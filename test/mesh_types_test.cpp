@@ -336,6 +336,35 @@ TEST(Garbage_of_surface_mesh_test, is_really_there)
 
 // Part of a mesh
 
+TEST(Const_mesh_test, keeps_its_ids)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+  auto mesh = make<Polyhedron>(box_on_plate());
+  const auto labels_of = [&](const Polyhedron& given) {
+    std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> labels;
+    RS::segment(given, boost::make_assoc_property_map(labels),
+                RS::parameters::number_of_segments(2).method(RS::Two_step()));
+    std::vector<std::size_t> result;
+    for (auto f : faces(given))
+      result.push_back(labels[f]);
+    return result;
+  };
+  const std::vector<std::size_t> labels = labels_of(mesh);
+  for (auto f : faces(mesh))
+    f->id() = 7;
+  for (auto v : vertices(mesh))
+    v->id() = 7;
+  for (auto h : halfedges(mesh))
+    h->id() = 7;
+  EXPECT_EQ(labels_of(mesh), labels);
+  for (auto f : faces(mesh))
+    EXPECT_EQ(f->id(), 7u);
+  for (auto v : vertices(mesh))
+    EXPECT_EQ(v->id(), 7u);
+  for (auto h : halfedges(mesh))
+    EXPECT_EQ(h->id(), 7u);
+}
+
 TEST(Face_filtered_graph_test, gives_the_labels_of_its_part)
 {
   for (unsigned seed = 0; seed < 10; ++seed) {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -182,9 +183,9 @@ inline std::vector<bool> Surface_builder::sides_between_bodies() const
 }
 
 /// Makes a face degenerate whose sides are those of a lower face, and gives it an adjacency to that
-/// face alone. Where two bodies touch, so that the two faces run in opposite directions and all
-/// their sides are between bodies, both remain, as a pair of twins. Only faces with open sides are
-/// looked at. O(n log n) for n of them.
+/// face alone. Where two bodies touch, so that there are two such faces, which run in opposite
+/// directions, and all their sides are between bodies, both remain as twins. Only faces with open
+/// sides are looked at. O(n log n) for n of them.
 inline void Surface_builder::separate_doubled_faces()
 {
   const auto key = [&](Index f) { // is independent of the order of the sides
@@ -195,6 +196,7 @@ inline void Surface_builder::separate_doubled_faces()
     return sum;
   };
   std::vector<std::pair<Index, Index>> doubled; // a face, and the lowest one with its sides
+  std::map<Index, std::size_t> numbers;         // of the faces with the sides of a lower one
   for_each_repetition(
     number_of_faces(),
     [&](const auto& add) {
@@ -210,6 +212,7 @@ inline void Surface_builder::separate_doubled_faces()
     },
     [&](Index f, Index first) {
       doubled.push_back({f, first});
+      ++numbers[first];
     });
   if (doubled.empty())
     return;
@@ -217,7 +220,7 @@ inline void Surface_builder::separate_doubled_faces()
   for (const auto& [f, first] : doubled) {
     const auto sides = is_between_bodies.begin() + m_first_corners[f],
                end = is_between_bodies.begin() + m_first_corners[f + 1];
-    if (corner(f, 1) == corner(first, number_of_corners(first) - 1) &&
+    if (numbers[first] == 1 && corner(f, 1) == corner(first, number_of_corners(first) - 1) &&
         std::find(sides, end, false) == end) {
       m_twins[f] = first;
       m_twins[first] = f;
