@@ -98,6 +98,49 @@ TEST(Transfer_labels_test, a_type_that_does_not_hold_the_labels_is_refused)
   EXPECT_THROW(number_in(mesh, labels, bytes), RS::Invalid_input) << "it would be none";
 }
 
+/// Labels of the type From in a map of the type To.
+template <typename To, typename From>
+std::vector<To> transferred_to(const std::vector<From>& labels)
+{
+  const Surface_mesh mesh = to_surface_mesh(grid(labels.size(), 1));
+  std::vector<To> into(labels.size(), 77);
+  RS::transfer_labels(
+    mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)), mesh,
+    boost::make_iterator_property_map(into.begin(), get(CGAL::face_index, mesh)));
+  return into;
+}
+
+template <typename From, typename To>
+void expect_no_segment_is_transferred()
+{
+  const From none = RS::no_segment;
+  EXPECT_EQ(transferred_to<To>(std::vector<From>{0, none, 5, 100}),
+            (std::vector<To>{0, RS::no_segment, 5, 100}));
+}
+
+TEST(Transfer_labels_test, no_segment_is_no_segment_in_every_type)
+{
+  expect_no_segment_is_transferred<std::uint32_t, std::size_t>();
+  expect_no_segment_is_transferred<std::size_t, std::uint32_t>();
+  expect_no_segment_is_transferred<std::uint8_t, std::int32_t>();
+  expect_no_segment_is_transferred<std::uint16_t, std::int8_t>();
+  expect_no_segment_is_transferred<std::int32_t, std::size_t>();
+  expect_no_segment_is_transferred<std::int8_t, std::uint64_t>();
+  expect_no_segment_is_transferred<std::int64_t, std::uint8_t>();
+  expect_no_segment_is_transferred<unsigned, unsigned>();
+}
+
+TEST(Transfer_labels_test, a_label_keeps_its_value_or_is_refused)
+{
+  EXPECT_EQ(transferred_to<std::int8_t>(std::vector<int>{-128, -2, -1, 127}),
+            (std::vector<std::int8_t>{-128, -2, -1, 127}));
+  EXPECT_THROW(transferred_to<std::size_t>(std::vector<int>{0, -2}), RS::Invalid_input);
+  EXPECT_THROW(transferred_to<int>(std::vector<std::uint32_t>{0, 4294967294u}), RS::Invalid_input);
+  EXPECT_THROW(transferred_to<std::int8_t>(std::vector<std::uint8_t>{0, 128}), RS::Invalid_input);
+  EXPECT_EQ(transferred_to<std::uint8_t>(std::vector<char>{0, 1}),
+            (std::vector<std::uint8_t>{0, 1}));
+}
+
 TEST(Transfer_labels_test, a_remeshed_copy_and_back)
 {
   const Soup soup = triangulated(dumbbell());

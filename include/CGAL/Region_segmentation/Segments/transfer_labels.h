@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_TRANSFER_LABELS_H
 
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
-#include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
@@ -130,8 +129,9 @@ inline std::vector<Surface::Index> nearest_parts(const Surface& to, const Surfac
 /// \tparam ToMap a model of `WritablePropertyMap` with the face descriptor of `to` as key and an
 ///         integral value type
 /// \param from an oriented 2-manifold with or without boundary, its faces polygons of any size
-/// \param from_map the labels, any integers; those of `no_segment` are transferred, too
-/// \param to as `from`; its place in space is that of `from`, and it is oriented as it is
+/// \param from_map the labels, any integers. `no_segment` is transferred as `no_segment`, whatever
+///        the two types are
+/// \param to as `from`: a surface in the same place, whose normals are on the same side
 /// \param to_map every key is written
 /// \param np_from, np_to optional sequences of \ref PkgRegionSegmentationNP "Named Parameters" for
 ///        the two meshes:
@@ -158,7 +158,7 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
                             const ToParameters& np_to = parameters::default_values())
 {
   static_assert(internal::check_face_map<ToMap, ToGraph>());
-  using Label = typename boost::property_traits<FromMap>::value_type;
+  using Label = typename boost::property_traits<ToMap>::value_type;
   const auto &from_pack = internal::pack(np_from), &to_pack = internal::pack(np_to);
   internal::check_parameters<std::decay_t<decltype(from_pack)>, internal::Tag_list<>>();
   internal::check_parameters<std::decay_t<decltype(to_pack)>, internal::Tag_list<>>();
@@ -170,17 +170,14 @@ std::size_t transfer_labels(const FromGraph& from, const FromMap& from_map, cons
     throw Invalid_input("transfer_labels: the mesh with labels has no faces");
 
   // Each component of a segment is transferred as one, so that on `to` it is one, too.
-  const std::vector<Label> labels = face_values(from, from_map);
-  for (const Label label : labels)
-    if (is_segment(label))
-      internal::check_label<typename boost::property_traits<ToMap>::value_type>(label);
+  const auto labels = face_values(from, from_map);
   const Partition components = internal::components_of_labels(from_surface, labels);
   auto nearest = internal::nearest_parts(to_surface, from_surface, components);
   internal::dissolve_islands(to_surface, nearest);
 
   std::vector<Label> label_of(components.number_of_parts()), result;
   for (std::size_t f = 0; f < labels.size(); ++f)
-    label_of[components[f]] = labels[f];
+    label_of[components[f]] = internal::converted_label<Label>(labels[f]);
   for (const Surface::Index component : nearest)
     result.push_back(label_of[component]);
   write_face_values(to, result, to_map);

@@ -41,8 +41,10 @@ auto face_values(const FaceGraph& mesh, const FaceMap& map)
 /// \tparam Values a type with `operator[](std::size_t)`, such as `Partition` or a vector
 /// \tparam FaceMap a model of `WritablePropertyMap` with the face descriptor as key
 /// \pre there is a value for each face
-/// \throws Invalid_input if the values are a partition with more parts than the value type of the
-///         map has labels, -1 not among them; nothing is written
+///
+/// Integers are written as labels to a map of another integral type, but `bool`: -1, the label
+/// `no_segment`, as -1 of that type.
+/// \throws Invalid_input if this type does not hold a label, and -1 beside it; nothing is written
 ///
 /// Complexity: O(F).
 template <typename FaceGraph, typename Values, typename FaceMap>
@@ -50,9 +52,17 @@ void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
 {
   static_assert(internal::check_face_map<FaceMap, FaceGraph>());
   using Value = typename boost::property_traits<FaceMap>::value_type;
-  if constexpr (internal::satisfies<internal::Number_of_parts, Values> &&
-                std::is_integral<Value>::value)
+  using Item = std::decay_t<decltype(values[0])>;
+  constexpr bool are_labels = std::is_integral<Value>::value && std::is_integral<Item>::value &&
+                              !std::is_same<Value, bool>::value;
+  if constexpr (are_labels && internal::satisfies<internal::Number_of_parts, Values>) {
     internal::check_labels<Value>(values.number_of_parts());
+  } else if constexpr (are_labels && !std::is_same<Value, Item>::value) {
+    std::vector<Value> labels;
+    for (std::size_t i = 0; i < faces(mesh).size(); ++i)
+      labels.push_back(internal::converted_label<Value>(values[i]));
+    return write_face_values(mesh, labels, map);
+  }
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, Value(values[i++]));

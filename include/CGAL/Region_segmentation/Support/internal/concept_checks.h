@@ -84,16 +84,24 @@ constexpr bool check_face_map()
 template <typename Values>
 using Number_of_parts = decltype(std::declval<const Values&>().number_of_parts());
 
-/// \throws Invalid_input if the type `To` does not hold a label, or the label becomes -1, which
-/// stands for none
+/// A label in the type of another map. -1 stands for no segment in every integral type but `bool`,
+/// and stays -1; every other label keeps its value.
+/// \throws Invalid_input if the type `To` does not hold the label, and -1 beside it
 template <typename To, typename Label>
-void check_label(Label label, const char* what = "label")
+To converted_label(Label label, const char* what = "label")
 {
   static_assert(std::is_integral<To>::value,
                 "labels are written to a map or range of an integral type, such as std::size_t");
-  if (Label(To(label)) != label || (To(label) == To(-1) && !std::is_same<To, bool>::value))
+  const auto is_none = [](auto l) {
+    using Type = decltype(l);
+    return !std::is_same<Type, bool>::value && l == Type(-1);
+  };
+  const To result = is_none(label) ? To(-1) : To(label);
+  const bool has_value = Label(result) == label && (result > 0) == (label > 0);
+  if (is_none(result) != is_none(label) || !(has_value || is_none(label)))
     throw Invalid_input(std::string(what) + " " + std::to_string(label) +
                         ": the type of the map does not hold it, and -1 for none beside it");
+  return result;
 }
 
 /// \throws Invalid_input if the type `To` does not hold the labels below `n` beside -1, which
@@ -102,7 +110,7 @@ template <typename To>
 void check_labels(std::size_t n, const char* what = "label")
 {
   if (n > 0)
-    check_label<To>(n - 1, what);
+    converted_label<To>(n - 1, what);
 }
 
 template <typename Map, typename FaceGraph>
