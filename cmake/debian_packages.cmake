@@ -20,7 +20,7 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libcgal-region-segmentation-dev)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libboost-dev")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libboost-dev (>= ${least_boost})")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "libeigen3-dev, libtbb-dev")
 set(CPACK_DEBIAN_HEADERS_DESCRIPTION
 "Segments surface meshes and polygon soups into the parts that people see, or
