@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's parameterizers accept the segments of real meshes: opened by seams, as charts and as
+// CGAL's parameterizers accept the segments of real meshes that are discs: as charts, and as
 // pieces.
 
 #include "real_meshes.h"
 
-#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
+#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/region_segmentation.h>
 
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <vector>
 
 namespace {
@@ -32,47 +34,82 @@ struct Segmented
 {
   Surface_mesh mesh;
   Surface_mesh::Property_map<Surface_mesh::Face_index, std::size_t> segment;
-  std::size_t number;
+  std::vector<RS::Segment_topology<std::size_t>> topologies;
 
   explicit Segmented(const Surface_mesh& original)
     : mesh(original)
   {
     CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
     segment = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:segment").first;
-    number = RS::segment(mesh, segment);
+    RS::segment(mesh, segment);
+    RS::compute_segment_topology(mesh, segment, std::back_inserter(topologies));
   }
 };
 
-TEST(Parameterization_of_Real_meshes, accepts_segments_opened_by_seams)
+/// Parameterizes the segments that are discs as charts of one mesh, whose seams are the borders of
+/// segments. Returns their number.
+std::size_t parameterize_charts(Segmented& s)
 {
-  check_real_meshes(10000, [](const Surface_mesh& original) {
-    Segmented s(original);
-    Surface_mesh& mesh = s.mesh;
-    auto is_seam = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam").first;
-    auto is_on_seam = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:on_seam", false)
+  Surface_mesh& mesh = s.mesh;
+  auto is_border = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:border").first;
+  auto is_on_border = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:border", false)
                         .first;
-    auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Point_2>("h:uv").first;
-    RS::mark_segment_seams(mesh, s.segment, is_seam);
-    for (auto e : edges(mesh))
-      if (is_seam[e])
-        is_on_seam[source(e, mesh)] = is_on_seam[target(e, mesh)] = true;
-    using Seam_mesh = CGAL::Seam_mesh<Surface_mesh, decltype(is_seam), decltype(is_on_seam)>;
-    Seam_mesh charts(mesh, is_seam, is_on_seam);
-    std::vector<char> is_done(s.number, false);
-    for (auto h : halfedges(mesh)) { // segments of the default method are connected
-      if (mesh.is_border(h) || is_done[s.segment[mesh.face(h)]] ||
-          !(is_seam[mesh.edge(h)] || mesh.is_border(mesh.opposite(h))))
-        continue;
-      is_done[s.segment[mesh.face(h)]] = true;
-      EXPECT_EQ(SMP::parameterize(charts, SMP::LSCM_parameterizer_3<Seam_mesh>(),
-                                  opposite(Seam_mesh::halfedge_descriptor(h), charts), uv),
-                SMP::OK)
-        << "segment " << s.segment[mesh.face(h)];
-    }
-    EXPECT_EQ(std::count(is_done.begin(), is_done.end(), true), std::ptrdiff_t(s.number))
-      << "segments have a border";
+  auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Point_2>("h:uv").first;
+  RS::mark_segment_borders(mesh, s.segment, is_border);
+  for (auto e : edges(mesh))
+    if (is_border[e])
+      is_on_border[source(e, mesh)] = is_on_border[target(e, mesh)] = true;
+  using Seam_mesh = CGAL::Seam_mesh<Surface_mesh, decltype(is_border), decltype(is_on_border)>;
+  Seam_mesh charts(mesh, is_border, is_on_border);
+  std::set<std::size_t> discs;
+  for (const auto& topology : s.topologies)
+    if (topology.is_disc())
+      discs.insert(topology.segment);
+  const std::size_t number = discs.size();
+  for (auto h : halfedges(mesh)) {
+    if (mesh.is_border(h) || !(is_border[mesh.edge(h)] || mesh.is_border(mesh.opposite(h))) ||
+        discs.erase(s.segment[mesh.face(h)]) == 0)
+      continue;
+    EXPECT_EQ(SMP::parameterize(charts, SMP::LSCM_parameterizer_3<Seam_mesh>(),
+                                opposite(Seam_mesh::halfedge_descriptor(h), charts), uv),
+              SMP::OK)
+      << "segment " << s.segment[mesh.face(h)];
+  }
+  EXPECT_TRUE(discs.empty()) << "a disc has a border";
+  return number;
+}
+
+/// Parameterizes the segments that are discs, each as a mesh of its own.
+void parameterize_pieces(const Segmented& s)
+{
+  std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
+  RS::split_into_segments(s.mesh, s.segment, std::back_inserter(pieces));
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!s.topologies[i].is_disc())
+      continue;
+    Surface_mesh& disc = pieces[i].mesh;
+    auto uv = disc.add_property_map<Surface_mesh::Vertex_index, Point_2>("v:uv").first;
+    const auto all = halfedges(disc);
+    const auto border = std::find_if(all.begin(), all.end(),
+                                     [&](auto h) { return disc.is_border(h); });
+    ASSERT_NE(border, all.end());
+    EXPECT_EQ(SMP::parameterize(disc, SMP::LSCM_parameterizer_3<Surface_mesh>(), *border, uv),
+              SMP::OK)
+      << "segment " << pieces[i].segment;
+  }
+}
+
+TEST(Parameterization_of_Real_meshes, accepts_segments_that_are_discs)
+{
+  std::size_t number_of_meshes = 0, number_of_discs = 0;
+  check_real_meshes(10000, [&](const Surface_mesh& original) {
+    Segmented s(original);
+    number_of_discs += parameterize_charts(s);
+    parameterize_pieces(s);
+    ++number_of_meshes;
     return true;
   });
+  EXPECT_GE(number_of_discs, number_of_meshes);
 }
 
 } // namespace

@@ -11,7 +11,6 @@
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
@@ -147,11 +146,11 @@ TEST_P(Robustness_test, what_comes_after_takes_any_labels_and_coordinates)
     RS::compute_segment_topology(mesh, labels, std::back_inserter(topology));
     std::vector<RS::Segment_border<Surface_mesh, std::size_t>> borders;
     RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
-    const auto is_seam = edge_map(mesh);
-    RS::mark_segment_seams(mesh, labels, is_seam);
+    const auto is_border = edge_map(mesh);
+    RS::mark_segment_borders(mesh, labels, is_border);
     std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
     RS::split_into_segments(mesh, labels, std::back_inserter(pieces),
-                            RS::parameters::edge_is_constrained_map(is_seam));
+                            RS::parameters::edge_is_constrained_map(is_border));
     EXPECT_EQ(pieces.size(), topology.size());
   });
 }

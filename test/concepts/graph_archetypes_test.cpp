@@ -9,16 +9,13 @@
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
+#include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
-#ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Segments/describe_segments.h>
-#endif
 
 #include <gtest/gtest.h>
 
@@ -91,14 +88,12 @@ TEST(Graph_archetypes_test, of_faces_halfedges_and_vertices)
   const std::vector<std::array<double, 3>> points = {{0, 0, 0}};
   RS::find_nearest_faces(a.graph, points, std::back_inserter(nearest), a.maps());
   EXPECT_EQ(nearest.size(), 1u);
-#ifdef TEST_EIGEN
   using Kernel = CGAL::Kernel_traits<Mesh::Point>::Kernel;
   std::vector<RS::Segment_description<Label, Kernel>> descriptions;
   RS::describe_segments(a.graph, a.segments, std::back_inserter(descriptions), maps);
   EXPECT_EQ(descriptions.size(), 3u);
   std::vector<RS::Part_face<Kernel>> part_faces;
   EXPECT_GT(RS::find_part_faces(a.graph, a.others, std::back_inserter(part_faces), a.maps()), 3u);
-#endif
 
   EXPECT_GT(RS::rand_index_distance(a.graph, a.segments, a.others), 0);
   EXPECT_GT(RS::hamming_distance(a.graph, a.segments, a.others, a.maps()).distance, 0);
@@ -126,9 +121,6 @@ TEST(Graph_archetypes_test, of_edges_where_edge_maps_are_read_or_written)
   RS::extract_feature_lines(a.graph, a.marks, std::back_inserter(lines), a.maps());
   EXPECT_FALSE(lines.empty());
   EXPECT_GT(RS::mark_segment_borders(a.graph, a.segments, a.marks), 0u);
-  EXPECT_GT(RS::mark_segment_seams(a.graph, a.segments, a.marks, RS::Border_cost(),
-                                   a.maps().halfedge_index_map(Index_map<Halfedge>())),
-            0u);
 }
 
 } // namespace graph_archetypes_test

@@ -8,10 +8,8 @@
 
 #include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 #include <CGAL/Region_segmentation/Evaluation/labels.h>
-#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
 #include <CGAL/Region_segmentation/Segments/find_nearest_faces.h>
-#include <CGAL/Region_segmentation/Segments/mark_segment_seams.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
@@ -22,6 +20,7 @@
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
+#include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #endif
 
@@ -126,7 +125,6 @@ void use_segments(const Mesh& mesh)
   auto others = get(CGAL::dynamic_face_property_t<int>(), mesh);
   auto marks = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   RS::mark_segment_borders(mesh, segments, marks);
-  RS::mark_segment_seams(mesh, segments, marks, RS::Border_cost());
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   RS::extract_segment_borders(mesh, segments, std::back_inserter(borders));
   std::vector<RS::Segment_topology<std::size_t>> topologies;
@@ -134,13 +132,13 @@ void use_segments(const Mesh& mesh)
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
   RS::split_into_segments(mesh, segments, std::back_inserter(pieces),
                           RS::parameters::edge_is_constrained_map(marks));
-  RS::close_segments(mesh, segments, std::back_inserter(pieces));
   RS::transfer_labels(mesh, segments, pieces.front().mesh,
                       get(CGAL::dynamic_face_property_t<std::size_t>(), pieces.front().mesh));
   std::vector<typename boost::graph_traits<Mesh>::face_descriptor> nearest;
   RS::find_nearest_faces(mesh, std::vector<std::array<double, 3>>{{0, 0, 0}},
                          std::back_inserter(nearest));
 #ifdef TEST_EIGEN
+  RS::close_segments(mesh, segments, std::back_inserter(pieces));
   using Point = typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type;
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;

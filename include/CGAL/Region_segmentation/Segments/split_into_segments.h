@@ -195,8 +195,8 @@ private:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{edges along which the copies are cut open, such as the seams of
-///       `mark_segment_seams()`: then every component of a segment becomes a disc}
+///     \cgalParamDescription{edges inside segments along which the copies are cut open, such as
+///       those that make a disc of a segment}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}
