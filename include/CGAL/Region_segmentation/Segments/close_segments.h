@@ -3,6 +3,11 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_CLOSE_SEGMENTS_H
 
+/// \file close_segments.h
+/// Requires Eigen 3; so it is not part of region_segmentation.h.
+
+#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segment_caps.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
@@ -15,6 +20,9 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -33,40 +41,35 @@ class Planes_of_vertex
 public:
   void add(const Double_3& normal, double angle, bool moves)
   {
-    m_rows[0] = m_rows[0] + angle * normal.x * normal;
-    m_rows[1] = m_rows[1] + angle * normal.y * normal;
-    m_rows[2] = m_rows[2] + angle * normal.z * normal;
+    m_matrix.add_square(angle, normal);
     if (moves)
-      m_sum = m_sum - angle * normal;
+      m_right_side = m_right_side - angle * normal;
   }
 
   /// The shortest move that takes the vertex to all planes, in the sense of least squares, those of
-  /// caps being moved inwards by a distance of 1. The conjugate gradients end at a direction to
-  /// which the planes are nearly parallel, so that no vertex of a wedge moves far.
+  /// caps being moved inwards by a distance of 1: the right side of the normal equations times the
+  /// pseudoinverse of their matrix. Eigenvalues of a small share count as 0: the vertex does not
+  /// move in a direction to which all planes are nearly parallel, so that no vertex of a wedge
+  /// moves far.
   Double_3 move() const
   {
-    const double sum_of_angles = m_rows[0].x + m_rows[1].y + m_rows[2].z;
-    Double_3 result{0, 0, 0}, residual = m_sum, direction = m_sum;
-    for (int i = 0; i < 3; ++i) {
-      const Double_3 product{dot(m_rows[0], direction), dot(m_rows[1], direction),
-                             dot(m_rows[2], direction)};
-      const double curvature = dot(direction, product);
-      if (!(curvature > least_share * sum_of_angles * squared_norm(direction)))
-        break;
-      const double step = squared_norm(residual) / curvature;
-      const Double_3 next = residual - step * product;
-      result = result + step * direction;
-      direction = next + squared_norm(next) / squared_norm(residual) * direction;
-      residual = next;
-    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(to_eigen(m_matrix));
+    Double_3 result{0, 0, 0};
+    for (int i = 0; i < 3; ++i)
+      if (const double value = solver.eigenvalues()[i]; value > least_share * m_matrix.trace()) {
+        const auto v = solver.eigenvectors().col(i);
+        const Double_3 direction{v[0], v[1], v[2]};
+        result = result + dot(direction, m_right_side) / value * direction;
+      }
     return result;
   }
 
 private:
-  static constexpr double least_share = 0.02; // reached by the sides of a wedge of 16 degrees
+  /// The share of an eigenvalue in the sum of all three; that of a wedge of 16 degrees is this one.
+  static constexpr double least_share = 0.02;
 
-  std::array<Double_3, 3> m_rows = {Double_3{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; // normal equations
-  Double_3 m_sum{0, 0, 0};
+  Symmetric_3 m_matrix; // the sums of the normal equations
+  Double_3 m_right_side{0, 0, 0};
 };
 
 /// By fan of the solids, the planes of its faces. `surface`: of the mesh
@@ -100,6 +103,8 @@ inline std::vector<Planes_of_vertex> planes_of_vertices(const Segmented_halfedge
 /// copies every segment to a closed mesh of its own, a solid: its faces and caps, for printing or
 /// for simulation.
 ///
+/// `#include <CGAL/Region_segmentation/Segments/close_segments.h>`, which requires Eigen.
+///
 /// Every triangle of a cap belongs to exactly two solids, oppositely oriented and with equal
 /// coordinates. So the solids of a closed mesh fit together without gaps or overlaps, and their
 /// volumes add up to that of the mesh. Faces of the label `no_segment` are one more segment that is
@@ -114,8 +119,9 @@ inline std::vector<Planes_of_vertex> planes_of_vertices(const Segmented_halfedge
 ///
 /// With a *clearance*, the caps of each solid are moved inwards by half of it, and their vertices
 /// on the surface of the mesh along it, in the sense of least squares where more than three planes
-/// meet in a vertex. Caps that close the border of an open mesh stay. Solids overlap themselves
-/// where this is more than they are thick, or than the edges beside their borders are long.
+/// meet in a vertex. Vertices of wedges of less than 16 degrees are not moved along them. Caps that
+/// close the border of an open mesh stay. Solids overlap themselves where this is more than they
+/// are thick, or than the edges beside their borders are long.
 ///
 /// A segment that is the wall of a hole becomes a solid that is inside out, of negative volume, and
 /// those of its neighbors fill the hole: as every sum of volumes needs. So this is for parts as
