@@ -6,11 +6,12 @@
 /// \file describe_segments.h
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
+#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/initial_surfaces.h>
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
-#include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segment_caps.h>
-#include <CGAL/Region_segmentation/Segments/internal/Segment_fitter.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
@@ -27,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <type_traits>
@@ -37,32 +39,110 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The volume of each segment with its caps, and at the end that of the faces without a segment.
-/// They add up to the volume of the mesh.
-///
-/// By the divergence theorem, a volume is the sum of the tetrahedra from any point to the triangles
-/// of the surface.
-inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Surface& surface)
+/// Points of a segment, weighted by area: the corners of its faces, and the middle of each face.
+/// The centroid of the segment is the origin, and its area is 1.
+class Segment_samples
 {
-  using Index = Segmented_halfedges::Index;
-  const Segment_caps caps(mesh, surface, [&](Index f) { return is_turned(surface, mesh, f); });
-  const auto& points = caps.points();
-  std::vector<double> volumes(mesh.number_of_segments + 2, 0);
-  const auto add = [&](Index segment, Index a, Index b, Index c) {
-    const Double_3& p = points[a];
-    volumes[segment] += dot(p - points[0], cross(points[b] - p, points[c] - p)) / 6;
-  };
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    for (std::size_t i = 2; i < surface.number_of_corners(f); ++i)
-      add(mesh.segment_of_face[f], surface.corner(f, 0), surface.corner(f, i - 1),
-          surface.corner(f, i));
-  for (const auto& [lower, higher, corners] : caps.triangles()) {
-    add(lower, corners[0], corners[1], corners[2]);
-    add(higher, corners[0], corners[2], corners[1]);
+public:
+  /// `normal`: zero for a degenerate face.
+  void add_face(const std::vector<Double_3>& corners, const Double_3& middle,
+                const Double_3& normal, double weight)
+  {
+    const double share = weight / double(corners.size());
+    for (const Double_3& p : corners) {
+      m_corners.push_back(p);
+      m_corner_weights.push_back(share);
+      m_moments.add(share, p);
+    }
+    m_middles.push_back(middle);
+    m_weights.push_back(weight);
+    m_normals.push_back(normal);
+    m_normal_moments.add(weight, normal);
   }
-  volumes.pop_back(); // that of what is beyond the border of the mesh
-  return volumes;
-}
+
+  /// The length of the faces along an axis.
+  double extent(const Double_3& axis) const
+  {
+    Fitted_surface<> plane = surface_of_kind(Surface_kind::PLANE, {0, 0, 0}, axis);
+    measure(plane, m_corners);
+    return plane.highest - plane.lowest;
+  }
+
+  /// The plane, sphere, cylinder or cone of the segment: each kind, in this order, replaces the one
+  /// chosen before if it fits much better. `errors`: by kind, the root mean square distance of the
+  /// corners to the best surface; infinite where none was found.
+  ///
+  /// Surfaces are compared by the misfit: the root mean square distance of corners and middles of
+  /// faces together. Corners alone do not tell a cylinder or a cone from a sphere if they lie on
+  /// two circles, as on many machine parts.
+  Fitted_surface<> best_surface(std::array<double, 4>& errors) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Surface_fitter corners(m_corners, 0, m_corner_weights), middles(m_middles, 0, m_weights);
+    Fitted_surface<> best;
+    double least = infinity;
+    const auto accept = [&](const Fitted_surface<>& s) {
+      double& error = errors[std::size_t(s.kind)];
+      error = corners.root_mean_square(s);
+      const double misfit = std::hypot(error, middles.root_mean_square(s)) / std::sqrt(2.0);
+      if (least > tolerance && misfit < worthwhile * least) {
+        least = misfit;
+        best = s;
+      }
+    };
+    errors.fill(infinity);
+    accept(plane());
+    if (least > 0) // else no other surface fits better
+      for (const Fitted_surface<>& s : other_surfaces())
+        accept(s);
+    move_along_axis(best, {0, 0, 0});
+    measure(best, m_corners);
+    best.side = has_outward_normals(best) ? 1 : -1;
+    return best;
+  }
+
+private:
+  static constexpr std::size_t most_fitted = 6000; // corners; errors are those of all
+  static constexpr double tolerance = 1e-4;        // misfits below are as good as none
+  static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
+  static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
+
+  Fitted_surface<> plane() const
+  {
+    const Double_3 normal = eigenvectors(m_moments.covariance())[0];
+    return surface_of_kind(Surface_kind::PLANE, m_moments.centroid(),
+                           dot(normal, m_normal_moments.first) < 0 ? -1.0 * normal : normal);
+  }
+
+  /// The sphere, cylinder and cone with the least squared distances of the corners. The normals of
+  /// a cylinder are perpendicular to its axis, those of a cone lie on a circle around it.
+  std::vector<Fitted_surface<>> other_surfaces() const
+  {
+    const Double_3 origin{0, 0, 0};
+    const std::vector<Double_3> points = evenly_spread(m_corners, most_fitted);
+    const Surface_fitter fitter(points, 0, evenly_spread(m_corner_weights, most_fitted));
+    std::vector<Fitted_surface<>> result;
+    for (Fitted_surface<> s :
+         {sphere_with_axis({0, 0, 1}, points, origin),
+          cylinder_along(eigenvectors(m_normal_moments.second)[0], points, origin),
+          cone_along(eigenvectors(m_normal_moments.covariance())[0], points, origin)})
+      if (std::isfinite(fitter(s, most_iterations, most_slow_iterations)))
+        result.push_back(s);
+    return result;
+  }
+
+  bool has_outward_normals(const Fitted_surface<>& s) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < m_normals.size(); ++i)
+      sum += m_weights[i] * dot(m_normals[i], surface_normal(s, m_middles[i]));
+    return sum >= 0;
+  }
+
+  std::vector<Double_3> m_corners, m_middles, m_normals; // middles and normals by face
+  std::vector<double> m_corner_weights, m_weights;
+  Second_moments m_moments, m_normal_moments; // of corners and of normals
+};
 
 /// Describes the segments of a mesh.
 ///
@@ -127,9 +207,10 @@ private:
     for_each_face(segment, origin, 1, [&](Index, const Points& p) { add_moments(p, moments); });
     const Double_3 center = origin + moments.centroid();
     const double area = moments.weight, size = area > 0 ? std::sqrt(area) : 1;
-    Segment_fitter fitter;
+    Segment_samples samples;
     for_each_face(segment, center, 1 / size, [&](Index f, const Points& corners) {
-      fitter.add_face(corners, m_surface.normal(f), area > 0 ? m_surface.area(f) : 1);
+      samples.add_face(corners, 1 / size * (m_surface.centroid(f) - center), m_surface.normal(f),
+                       area > 0 ? m_surface.area(f) : 1);
     });
     Description& d = m_descriptions[segment];
     d.segment = m_segmented.labels[segment];
@@ -139,9 +220,9 @@ private:
     const std::array<Double_3, 3> axes = principal_axes(moments.covariance());
     for (std::size_t i = 0; i < 3; ++i) {
       d.axes[i] = to_vector(axes[i]);
-      d.extents[i] = fitter.extent(axes[i]) * size * unit;
+      d.extents[i] = samples.extent(axes[i]) * size * unit;
     }
-    Fitted_surface<> surface = fitter.fit(d.surface_errors);
+    Fitted_surface<> surface = samples.best_surface(d.surface_errors);
     surface.point = surface.point + 1 / size * center;
     d.surface = scaled<Kernel>(surface, size * unit);
     for (double& error : d.surface_errors)
@@ -237,14 +318,15 @@ private:
 /// `#include <CGAL/Region_segmentation/Segments/describe_segments.h>`, which requires Eigen.
 ///
 /// A plane, a sphere, a cylinder and a cone are fitted to the corners of the faces, weighted by
-/// area. Linear systems in points and normals give a start, from which Levenberg and Marquardt's
-/// method minimizes the mean square distance; of more than 6000 corners, at most 6000 are
-/// fitted, spread evenly. The plane is exact, the other minima are local. The misfit of a primitive
-/// is the root mean square distance of the corners and of the middles of the faces together, since
-/// corners on two circles alone could be those of a sphere. From the simplest to the most complex,
-/// a primitive replaces the previous choice if its misfit is below 0.8 of it, and that one was more
-/// than \f$10^{-4}\f$ of the square root of the area. Spheres and cylinders whose radius is more
-/// than 100 times the extent of the segment are not considered.
+/// area. The axis of a cylinder or cone that the normals determine, and the least algebraic
+/// distance, give a start, from which Levenberg and Marquardt's method minimizes the mean square
+/// distance; of more than 6000 corners, at most 6000 are fitted, spread evenly. The plane is exact,
+/// the other minima are local. The misfit of a primitive is the root mean square distance of the
+/// corners and of the middles of the faces together, since corners on two circles alone could be
+/// those of a sphere. From the simplest to the most complex, a primitive replaces the previous
+/// choice if its misfit is below 0.8 of it, and that one was more than \f$10^{-4}\f$ of the square
+/// root of the area. Spheres and cylinders whose radius is more than 100 times the extent of the
+/// segment are not considered.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an

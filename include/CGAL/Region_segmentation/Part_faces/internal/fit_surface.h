@@ -255,12 +255,13 @@ private:
 
 /// At most so many of several points, or of what belongs to them, at multiples of the golden ratio:
 /// in the order of vertices, every second or third one may lie on one circle.
-inline std::vector<Double_3> evenly_spread(const std::vector<Double_3>& points, std::size_t most)
+template <typename T>
+std::vector<T> evenly_spread(const std::vector<T>& points, std::size_t most)
 {
   constexpr double golden = 0.618033988749895;
   if (points.size() <= most)
     return points;
-  std::vector<Double_3> result;
+  std::vector<T> result;
   for (std::size_t i = 0; i < most; ++i) {
     const double x = golden * double(i);
     result.push_back(points[std::size_t((x - std::floor(x)) * double(points.size()))]);

@@ -32,10 +32,10 @@ struct Cap_triangle
 /// a segment are one more segment, and what is beyond the border of the mesh is another one.
 ///
 /// The border edges between segments a < b, directed with a to the left, are a flow of the pair (a,
-/// b). Where one is not conserved, three or more segments meet: a *junction*. Inner edges between
-/// the junctions and the *center* of a network conserve all flows; so the edges of each pair make
-/// closed polygons. A polygon is filled with the triangles between its sides and its center of
-/// mass.
+/// b). A vertex where a flow is not conserved is a *junction*: three or more segments meet there.
+/// With inner edges between the junctions and the *center* of a network all flows are conserved, so
+/// the edges of each pair make closed polygons. A polygon is filled with the triangles between its
+/// sides and its center of mass.
 class Segment_caps
 {
 public:
@@ -193,6 +193,33 @@ inline Segmented_halfedges with_caps(Segmented_halfedges mesh, const Segment_cap
     waiting.erase(twin);
   }
   return mesh;
+}
+
+/// The volume of each segment with its caps, and at the end that of the faces without a segment.
+/// They add up to the volume of the mesh.
+///
+/// By the divergence theorem, a volume is the sum of the tetrahedra from any point to the triangles
+/// of the surface.
+inline std::vector<double> segment_volumes(const Segmented_halfedges& mesh, const Surface& surface)
+{
+  using Index = Segmented_halfedges::Index;
+  const Segment_caps caps(mesh, surface, [&](Index f) { return is_turned(surface, mesh, f); });
+  const auto& points = caps.points();
+  std::vector<double> volumes(mesh.number_of_segments + 2, 0);
+  const auto add = [&](Index segment, Index a, Index b, Index c) {
+    const Double_3& p = points[a];
+    volumes[segment] += dot(p - points[0], cross(points[b] - p, points[c] - p)) / 6;
+  };
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (std::size_t i = 2; i < surface.number_of_corners(f); ++i)
+      add(mesh.segment_of_face[f], surface.corner(f, 0), surface.corner(f, i - 1),
+          surface.corner(f, i));
+  for (const auto& [lower, higher, corners] : caps.triangles()) {
+    add(lower, corners[0], corners[1], corners[2]);
+    add(higher, corners[0], corners[2], corners[1]);
+  }
+  volumes.pop_back(); // that of what is beyond the border of the mesh
+  return volumes;
 }
 
 } // namespace internal
