@@ -70,8 +70,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationSegments
-/// finds the face nearest to each of several points in space: so seeds and strokes can be given by
-/// points, for `face_seed_map`.
+/// finds the face nearest to each of several points in space, such as the points of strokes that
+/// become seeds of `face_seed_map`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`

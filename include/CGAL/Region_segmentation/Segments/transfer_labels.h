@@ -36,7 +36,8 @@ inline Surface::Index key_of_greatest(const std::map<Surface::Index, double>& ma
     ->first;
 }
 
-/// The connected components of faces with equal labels, which are any range by face.
+/// The connected components of the faces with equal labels.
+/// `labels`: a range with a label for each face
 template <typename Labels>
 Partition components_of_labels(const Surface& surface, const Labels& labels)
 {
@@ -46,9 +47,9 @@ Partition components_of_labels(const Surface& surface, const Labels& labels)
     Execution());
 }
 
-/// Gives the faces of islands the label with which they share the longest border, from outside to
-/// inside; those without a neighbor keep theirs. An island is a component of less than a tenth of
-/// the area of the largest one of its label.
+/// Gives the faces of each island the label with which it shares the longest border. An island is a
+/// component of less than a tenth of the area of the largest one of its label. Islands inside other
+/// islands follow after these; an island without a neighbor keeps its label.
 inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>& label_of_face)
 {
   using Index = Surface::Index;
@@ -82,8 +83,8 @@ inline void dissolve_islands(const Surface& surface, std::vector<Surface::Index>
 
 /// The parts of the faces of a surface `from` that are nearest to the faces of `to`. A face is
 /// divided into triangles between its sides and the mean of its corners. The middle of each
-/// triangle finds a face of `from`, and votes for its part by the area of the triangle; of equal
-/// votes the lowest part counts.
+/// triangle finds a face of `from`, and votes for its part by the area of the triangle. If two
+/// parts have equal votes, the lower one is taken.
 inline std::vector<Surface::Index> nearest_parts(const Surface& to, const Surface& from,
                                                  const Partition& parts)
 {
@@ -114,8 +115,8 @@ inline std::vector<Surface::Index> nearest_parts(const Surface& to, const Surfac
 /// decimated, subdivided or split copy, or of the original.
 ///
 /// Each face takes the label to which most of its area is nearest. Faces of `from` whose normals
-/// are more than \f$\pi/2\f$ away count as farther by a twentieth of the square root of its area:
-/// so labels do not change sides of a thin wall.
+/// differ by more than \f$\pi/2\f$ count as farther by a twentieth of the square root of the area
+/// of `from`: so labels do not change sides of a thin wall.
 ///
 /// Each component of a segment of `from` is transferred as one: where it falls to pieces on `to`,
 /// pieces of less than a tenth of the area of the largest one are *islands*. An island takes the
