@@ -16,6 +16,7 @@ SKIPPED = 77
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import TimeoutException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
@@ -248,6 +249,17 @@ def check_looks(browser):
         assert {child.get_attribute("role") for child in children} == {"radio"}
 
 
+def save_picture(browser, picture):
+    """A screenshot. Its driver waits 10 s for one, which is drawn without a graphics card: too short on a busy machine."""
+    for _ in range(5):
+        try:
+            browser.save_screenshot(picture)
+            return
+        except TimeoutException:
+            pass
+    raise AssertionError("no screenshot")
+
+
 def saved_labels(file):
     """Of a file that the page saves."""
     for _ in range(100):
@@ -353,7 +365,7 @@ def test(program, picture, folder):
         assert page.browser.execute_script("return window.page.view.camera.position.toArray()") != region
         page.move_to(next(iter(page.places().values()))).perform()
         time.sleep(0.3)
-        browser.save_screenshot(picture)
+        save_picture(browser, picture)
         colors = browser.execute_script(
             """window.page.view.draw(); const gl = window.page.view.renderer.getContext(), n = 64, bytes = new Uint8Array(4);
                const colors = new Set();
