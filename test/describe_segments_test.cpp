@@ -304,11 +304,13 @@ TEST(Describe_segments_test, the_normal_of_a_plane_points_to_the_side_of_most_fa
 
 TEST(Describe_segments_test, finds_nothing_but_a_plane_where_all_points_are_on_it)
 {
-  const Description d = description_of(grid(7, 4));
-  EXPECT_EQ(d.surface_error(), 0);
-  for (RS::Surface_kind type :
-       {RS::Surface_kind::SPHERE, RS::Surface_kind::CYLINDER, RS::Surface_kind::CONE})
-    EXPECT_EQ(d.surface_errors[std::size_t(type)], std::numeric_limits<double>::infinity());
+  for (const Soup& sheet : {grid(7, 4), mapped(grid(7, 4), moved)}) {
+    const Description d = description_of(sheet);
+    EXPECT_NEAR(d.surface_error(), 0, 1e-12);
+    for (RS::Surface_kind type :
+         {RS::Surface_kind::SPHERE, RS::Surface_kind::CYLINDER, RS::Surface_kind::CONE})
+      EXPECT_EQ(d.surface_errors[std::size_t(type)], std::numeric_limits<double>::infinity());
+  }
 }
 
 /// Of the signed distance, by central differences, where the surface has a tangent plane.

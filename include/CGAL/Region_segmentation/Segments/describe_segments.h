@@ -92,7 +92,7 @@ public:
     };
     errors.fill(infinity);
     accept(plane());
-    if (least > 0) // else no other surface fits better
+    if (least > rounding) // else the points tell no other surface
       for (const Fitted_surface<>& s : other_surfaces())
         accept(s);
     move_along_axis(best, {0, 0, 0});
@@ -103,6 +103,7 @@ public:
 
 private:
   static constexpr std::size_t most_fitted = 6000; // corners; errors are those of all
+  static constexpr double rounding = 1e-12;        // the misfit of points on a plane
   static constexpr double tolerance = 1e-4;        // misfits below are as good as none
   static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
   static constexpr int most_iterations = 100, most_slow_iterations = 20; // often no surface fits
@@ -326,7 +327,7 @@ private:
 /// those of a sphere. From the simplest to the most complex, a primitive replaces the previous
 /// choice if its misfit is below 0.8 of it, and that one was more than \f$10^{-4}\f$ of the square
 /// root of the area. Spheres and cylinders whose radius is more than 100 times the extent of the
-/// segment are not considered.
+/// segment are not considered; where all corners are on a plane, to rounding, nothing but this is.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`
 /// \tparam FaceSegmentMap a model of `ReadablePropertyMap` with the face descriptor as key and an
