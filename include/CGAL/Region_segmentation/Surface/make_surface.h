@@ -182,7 +182,7 @@ Surface make_surface(const FaceGraph& mesh,
 /// - Faces are turned so that neighbors across edges are oriented alike; the orientation of a
 ///   component is that of the larger area. An edge whose faces cannot be oriented is a seam.
 /// - A polygon with the sides of a lower one, in any orientation, is degenerate, and is adjacent to
-///   that one alone.
+///   that one alone; but where two bodies touch, a face of each on the same points, both remain.
 ///
 /// Closed components are turned, and components are linked, as those of a face graph.
 ///
