@@ -62,11 +62,14 @@ struct Spectral_partitioning
   };
 
   /// The superfacets of another method.
-  Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
+  Prepared prepare(const RS::Surface& surface, std::size_t number_of_segments,
+                   const RS::Execution& execution) const
   {
     const RS::Visibility_merging other;
-    return {
-      other.merge(surface, other.prepare(surface, execution), RS::Request(), execution).regions()};
+    return {other
+              .merge(surface, other.prepare(surface, number_of_segments, execution), RS::Request(),
+                     execution)
+              .regions()};
   }
 
   RS::Segmentation merge(const RS::Surface& surface, const Prepared& prepared,

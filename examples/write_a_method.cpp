@@ -15,6 +15,7 @@
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -33,7 +34,8 @@ struct Facet_merging
     RS::Partition regions;
   };
 
-  Prepared prepare(const RS::Surface& surface, const RS::Execution& execution) const
+  Prepared prepare(const RS::Surface& surface, std::size_t /* number_of_segments */,
+                   const RS::Execution& execution) const
   {
     return {RS::grow_regions(
       surface, RS::mark_feature_edges(surface, maximum_angle, RS::Feature_convexity::ALL),

@@ -36,7 +36,8 @@ RS::Surface surface_of(const Soup& soup)
 /// Of the faces.
 RS::Partition superfacets_of(const RS::Surface& surface, std::size_t number)
 {
-  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, 0,
+                                                                         RS::Execution());
   return composed(patches.fine.of_elements(), RS::Superfacets(number)(surface, patches));
 }
 
@@ -71,7 +72,7 @@ struct Merged_surface
 
   Merged_surface(RS::Surface surface_, const RS::Partition& regions_, RS::Merge_tree tree_)
     : surface(std::move(surface_))
-    , patches(RS::internal::Patch_builder::build(surface, RS::Execution()).fine)
+    , patches(RS::internal::Patch_builder::build(surface, 0, RS::Execution()).fine)
     , regions(regions_)
     , tree(std::move(tree_))
   {

@@ -37,7 +37,8 @@ RS::Surface surface_of(const Soup& soup)
 /// By the rays of these regions.
 void annotate(Graph& graph, const RS::Surface& surface, const RS::Partition& regions)
 {
-  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, RS::Execution());
+  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, 0,
+                                                                         RS::Execution());
   const auto rays = RS::internal::Inward_rays(surface, patches, regions).trace(RS::Execution());
   RS::Learned_annotator()(
     graph, surface, regions,

@@ -5,11 +5,14 @@
 
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
@@ -43,8 +46,9 @@ TEST(Learned_merging_test, each_segment_has_a_face_that_is_neither_degenerate_no
   soup.polygons.push_back({0, 1, 1}); // degenerate
   soup.polygons.push_back({2, 2, 2});
   constexpr std::size_t proper = 12;
-  RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons);
   for (std::size_t k = 1; k <= 20; ++k) {
+    RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons,
+                                         RS::parameters::number_of_segments(k));
     std::vector<std::size_t> labels(soup.polygons.size()), again(labels.size());
     const std::size_t expected = std::min(k, proper);
     EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels,
@@ -56,6 +60,55 @@ TEST(Learned_merging_test, each_segment_has_a_face_that_is_neither_degenerate_no
     EXPECT_EQ(labels[proper], labels[3]);
     EXPECT_EQ(labels[proper + 1], labels[5]);
   }
+}
+
+/// Gives as many segments as are asked for, for a list of numbers up to that of the proper faces.
+void expect_every_number(const Soup& soup)
+{
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
+  std::size_t proper = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    proper += !surface.is_degenerate(f);
+  std::vector<std::size_t> labels(soup.polygons.size());
+  const auto expect_number = [&](std::size_t k, const auto& method) {
+    const auto np = RS::parameters::number_of_segments(k).method(method);
+    EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels, np), k);
+    EXPECT_TRUE(is_numbered_by_first_face(labels, k));
+    const RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons, np);
+    std::vector<std::size_t> again(labels.size());
+    EXPECT_EQ(segmenter.segment(again), k);
+    EXPECT_EQ(again, labels);
+  };
+  for (const std::size_t k : {std::size_t(1), proper / 9, proper / 4, proper / 3, proper / 2,
+                              proper / 2 + 1, proper * 3 / 4, proper - 2, proper - 1, proper}) {
+    SCOPED_TRACE(std::to_string(k) + " of " + std::to_string(proper));
+    expect_number(std::max<std::size_t>(k, 1), RS::Learned_merging());
+    expect_number(std::max<std::size_t>(k, 1), RS::Visibility_merging());
+  }
+}
+
+TEST(Learned_merging_test, there_are_as_many_segments_as_are_asked_for)
+{
+  expect_every_number(sphere(3));
+  expect_every_number(sphere(4));
+  for (Family family : all_families)
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      expect_every_number(random_mesh(family, seed));
+    }
+}
+
+TEST(Learned_merging_test, there_are_as_many_segments_as_are_asked_for_where_patches_are_few)
+{
+  // Columns from 1 to 2^-25 wide: most faces are so small that patches have several.
+  Soup soup = mapped(triangulated(grid(30, 12)), [](const Point& p) {
+    return Point{std::exp2(-p[0] / 1.2), p[1] / 12, 0};
+  });
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
+  ASSERT_LT(RS::internal::Patch_builder::build(surface, 0, RS::Execution()).fine.size(),
+            surface.number_of_faces() * 3 / 4);
+  expect_every_number(soup);
+  expect_every_number(joined(soup, translated(scaled(sphere(1), 1e-4), 2, 0, 0))); // a crumb
 }
 
 TEST(Learned_merging_test, is_the_default_and_needs_no_number)

@@ -36,7 +36,7 @@ RS::Surface surface_of(const Soup& soup)
 
 Surface_patches patches_of(const RS::Surface& surface)
 {
-  return RS::internal::Patch_builder::build(surface, RS::Execution());
+  return RS::internal::Patch_builder::build(surface, 0, RS::Execution());
 }
 
 /// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small

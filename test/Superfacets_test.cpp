@@ -33,7 +33,7 @@ RS::Surface surface_of(const Soup& soup)
 
 RS::Surface_patches patches_of(const RS::Surface& surface)
 {
-  return RS::internal::Patch_builder::build(surface, RS::Execution());
+  return RS::internal::Patch_builder::build(surface, 0, RS::Execution());
 }
 
 /// The regions of the faces.
@@ -160,109 +160,6 @@ TEST(Farthest_point_seeding_test, every_face_goes_to_the_nearest_of_far_apart_se
     }
 }
 
-TEST(Farthest_point_seeding_test, splitting_separates_the_face_farthest_from_its_seed_first)
-{
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
-    for (unsigned seed = 1; seed <= 2; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const Seeding expected = seeding_of(mesh, 12, 0.4);
-      std::vector<std::size_t> order(mesh.number_of_faces()); // the farthest first, of several the
-                                                              // higher face
-      std::iota(order.begin(), order.end(), std::size_t(0));
-      std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return expected.nearest[a] != expected.nearest[b]
-                 ? expected.nearest[a] > expected.nearest[b]
-                 : a > b;
-      });
-      RS::internal::Farthest_point_seeding seeding(dual_graph_of(mesh, 0.4));
-      seeding.run(distances_from_centroid(mesh), 12, RS::Execution());
-      RS::Partition before = seeding.regions();
-      for (std::size_t i = 0; i + 12 < order.size(); ++i) {
-        const RS::Partition after = seeding.split_regions(13 + i,
-                                                          [](std::size_t) { return false; });
-        ASSERT_EQ(after.number_of_parts(), 13 + i);
-        ASSERT_TRUE(nests(labels_of(after), labels_of(before)));
-        // What is separated are faces that were separated before, or nothing but this one: it is
-        // the nearest to the seed of its part, and its part was split.
-        const std::size_t separated = order[i];
-        std::size_t others = 0;
-        for (std::size_t f = 0; f < order.size(); ++f) {
-          if (after[f] == after[separated]) {
-            ASSERT_GE(expected.nearest[f], expected.nearest[separated]);
-          }
-          others += before[f] == before[separated] && after[f] != after[separated];
-        }
-        ASSERT_GT(others, 0u);
-        before = after;
-      }
-    }
-}
-
-TEST(Superfacets_test, splitting_gives_any_number_of_connected_parts)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const RS::Surface mesh = surface_of(soup);
-      const RS::Superfacets superfacets(20);
-      RS::Partition coarse = regions_of(mesh, superfacets);
-      EXPECT_EQ(superfacets.split(mesh, coarse, coarse.number_of_parts()), coarse);
-      for (std::size_t k = coarse.number_of_parts(); k < mesh.number_of_faces(); k += 1 + k / 3) {
-        const RS::Partition fine = superfacets.split(mesh, coarse, k);
-        EXPECT_EQ(fine.number_of_parts(), k);
-        EXPECT_TRUE(is_numbered_by_first_face(labels_of(fine), k));
-        EXPECT_TRUE(is_connected(soup, labels_of(fine)));
-        EXPECT_TRUE(nests(labels_of(fine), labels_of(coarse)));
-        coarse = fine;
-      }
-      EXPECT_EQ(superfacets.split(mesh, coarse, 2 * mesh.number_of_faces()).number_of_parts(),
-                mesh.number_of_faces());
-    }
-}
-
-TEST(Superfacets_test, splitting_measures_between_the_centroids_of_faces)
-{
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const RS::Surface mesh = surface_of(random_mesh(family, seed));
-      const RS::Superfacets superfacets(6);
-      const RS::Partition regions = regions_of(mesh, superfacets);
-      const std::size_t n = regions.number_of_parts();
-      // The face nearest to the centroid of each region, and the face farthest from that of its
-      // own.
-      std::vector<RS::Double_3> centers(n);
-      std::vector<double> areas(n, 0);
-      for (std::size_t f = 0; f < regions.size(); ++f) {
-        centers[regions[f]] = centers[regions[f]] + mesh.area(f) * mesh.centroid(f);
-        areas[regions[f]] += mesh.area(f);
-      }
-      std::size_t farthest = 0, center_of_farthest = 0;
-      double largest = -1;
-      for (std::size_t r = 0; r < n; ++r) {
-        std::size_t center = regions.size();
-        const auto away = [&](std::size_t f) {
-          return norm(mesh.centroid(f) - (1 / areas[r]) * centers[r]);
-        };
-        for (std::size_t f = 0; f < regions.size(); ++f)
-          if (regions[f] == r && (center == regions.size() || away(f) < away(center)))
-            center = f;
-        const std::vector<double> distances = distances_from(mesh, center, 0.4, &regions);
-        for (std::size_t f = 0; f < regions.size(); ++f)
-          if (regions[f] == r && distances[f] > largest) {
-            largest = distances[f];
-            farthest = f;
-            center_of_farthest = center;
-          }
-      }
-      const RS::Partition finer = superfacets.split(mesh, regions, n + 1);
-      ASSERT_EQ(finer.number_of_parts(), n + 1);
-      EXPECT_NE(finer[farthest], finer[center_of_farthest]);
-    }
-}
-
 TEST(Superfacets_test, seeds_of_crumbs_do_not_count)
 {
   const Soup body = random_mesh(Family::SPHERE, 1), crumb = scaled(cube(), 0.001);
@@ -367,17 +264,16 @@ TEST(Superfacets_test,
 
 // The area of the surface is that of one tiny face, so that steps between the others are longer
 // than any float.
-TEST(Superfacets_test, parts_are_connected_where_steps_are_longer_than_a_float)
+TEST(Superfacets_test, regions_are_connected_where_steps_are_longer_than_a_float)
 {
   Soup soup;
   soup.points = {{0, 0, 0},   {1e-60, 0, 0}, {0, 1e-60, 0}, {1, 0, 0},
                  {1.5, 0, 0}, {1.7, 0, 0},   {1.2, 0, 0},   {1.9, 0, 0}};
   soup.polygons = {{0, 1, 2}, {3, 4, 5}, {4, 3, 6}, {5, 4, 7}};
   const RS::Surface mesh = surface_of(soup);
-  const RS::Partition parts = RS::Superfacets(1).split(mesh, regions_of(mesh, RS::Superfacets(1)),
-                                                       3);
-  EXPECT_EQ(parts.number_of_parts(), 3u);
-  EXPECT_TRUE(is_connected(soup, labels_of(parts)));
+  const RS::Partition regions = regions_of(mesh, RS::Superfacets(3));
+  EXPECT_EQ(regions.number_of_parts(), 3u);
+  EXPECT_TRUE(is_connected(soup, labels_of(regions)));
 }
 
 } // namespace Superfacets_test

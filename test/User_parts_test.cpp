@@ -68,7 +68,7 @@ struct Merging_of_faces
   struct Prepared
   {};
 
-  Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
+  Prepared prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return {}; }
 
   RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request,
                       const RS::Execution&) const

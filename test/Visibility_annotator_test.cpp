@@ -35,7 +35,7 @@ RS::Surface surface_of(const Soup& soup)
 
 RS::Surface_patches patches_of(const RS::Surface& surface)
 {
-  return RS::internal::Patch_builder::build(surface, RS::Execution());
+  return RS::internal::Patch_builder::build(surface, 0, RS::Execution());
 }
 
 /// Where a ray meets the plane of a triangle, if that is inside by the signs of three volumes.

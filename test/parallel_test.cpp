@@ -114,7 +114,7 @@ std::vector<double> numbers_read(const Surface_mesh& mesh)
 {
   const RS::Surface flat = RS::make_surface<ConcurrencyTag>(mesh);
   const RS::Execution execution{ConcurrencyTag()};
-  const RS::Surface_patches both = RS::internal::Patch_builder::build(flat, execution);
+  const RS::Surface_patches both = RS::internal::Patch_builder::build(flat, 0, execution);
   std::vector<double> result = {flat.unit(), flat.area()};
   const auto add = [&](const RS::Double_3& p) { result.insert(result.end(), {p.x, p.y, p.z}); };
   for (std::size_t e = 0; e < flat.number_of_adjacencies(); ++e)

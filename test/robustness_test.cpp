@@ -94,11 +94,8 @@ TEST_P(Robustness_test, any_finite_coordinates_give_segments)
     const auto expect_segments = [&](const auto& np) {
       const Result result = run(mesh, np);
       EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
-      // Else regions are split; see CONTRIBUTING.md, "Open", for what is then not yet connected.
-      if (result.number_of_segments <= result.tree.number_of_regions()) {
-        EXPECT_TRUE(is_connected(soup, result.segments));
-        EXPECT_TRUE(nests(result.regions, result.segments));
-      }
+      EXPECT_TRUE(is_connected(soup, result.segments));
+      EXPECT_TRUE(nests(result.regions, result.segments));
     };
     expect_segments(RP::number_of_segments(k).component_links(false));
     expect_segments(RP::number_of_segments(k).method(options.method()).component_links(false));

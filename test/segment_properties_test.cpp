@@ -550,7 +550,8 @@ TEST(Visitor_test, can_cancel_while_patches_are_made_and_nothing_is_written)
   // Beside a large square each face of a small grid is small enough to be joined.
   const Surface_mesh mesh = to_surface_mesh(
     joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
-  const auto patches = RS::internal::Patch_builder::build(RS::make_surface(mesh), RS::Execution());
+  const auto patches = RS::internal::Patch_builder::build(RS::make_surface(mesh), 0,
+                                                          RS::Execution());
   ASSERT_LT(patches.fine.size(), num_faces(mesh) / 4);
   expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
   expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());

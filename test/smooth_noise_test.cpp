@@ -108,7 +108,7 @@ TEST(smooth_noise_test, parts_are_found_under_noise)
       const RS::Surface surface = surface_of(noisy(soup, deviation, seed));
       const RS::Learned_merging method;
       const RS::Hierarchy hierarchy = method.merge(surface, method.prepare(surface), RS::Request());
-      const RS::Partition segments = hierarchy.segments(surface, 2);
+      const RS::Partition segments = hierarchy.segments(2);
       EXPECT_LT(RS::rand_index_distance(segments, RS::Partition::from_labels(truth)), 0.06);
     }
 }

@@ -40,6 +40,7 @@ struct User_method
   std::size_t chosen_number = 2;
 
   CGAL::Region_segmentation::Partition prepare(const CGAL::Region_segmentation::Surface& surface,
+                                               std::size_t /* number_of_segments */,
                                                const CGAL::Region_segmentation::Execution&) const
   {
     return initializer(surface);

@@ -131,11 +131,12 @@ void test(Graph& graph)
 }
 } // namespace merging_policy
 
-// expect: a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const
+// expect: a SegmentationMethod needs: Prepared prepare(const Surface&, std::size_t
+// number_of_segments
 namespace method {
 struct Method
 {
-  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  int prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return 0; }
 #ifdef WITH_FAULT
   RS::Hierarchy merge(const RS::Surface&, const RS::Request&, const RS::Execution&) const
   {

@@ -162,7 +162,8 @@ public:
   Method_archetype(const Method_archetype&) = default;
   Method_archetype& operator=(const Method_archetype&) = delete;
 
-  Prepared_archetype prepare(const RS::Surface& surface, const RS::Execution& execution) const
+  Prepared_archetype prepare(const RS::Surface& surface, std::size_t,
+                             const RS::Execution& execution) const
   {
     execution.stage("regions").report(0.5);
     return Prepared_archetype(surface.number_of_faces());
@@ -193,8 +194,10 @@ public:
   Method_for_number_archetype(const Method_for_number_archetype&) = default;
   Method_for_number_archetype& operator=(const Method_for_number_archetype&) = delete;
 
-  Prepared_archetype prepare(const RS::Surface& surface, const RS::Execution&) const
+  Prepared_archetype prepare(const RS::Surface& surface, std::size_t number_of_segments,
+                             const RS::Execution&) const
   {
+    EXPECT_EQ(number_of_segments, 2u);
     return Prepared_archetype(surface.number_of_faces());
   }
 
@@ -328,7 +331,7 @@ TEST(Archetypes_test, a_cost_that_names_its_data)
 /// Its regions are those of a mesh of two faces.
 struct Method_of_two_faces
 {
-  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  int prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return 0; }
   RS::Hierarchy merge(const RS::Surface&, int, const RS::Request&, const RS::Execution&) const
   {
     return RS::Hierarchy(RS::Partition::from_labels(std::vector<int>{0, 1}), RS::Merge_tree(2), 2);
@@ -339,7 +342,7 @@ struct Method_of_two_faces
 template <std::size_t last_number>
 struct Method_of_wrong_numbers
 {
-  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  int prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return 0; }
   RS::Hierarchy merge(const RS::Surface& surface, int, const RS::Request& request,
                       const RS::Execution&) const
   {
@@ -357,7 +360,7 @@ struct Method_of_wrong_numbers
 /// Its merges are not those of its regions.
 struct Method_of_other_merges
 {
-  int prepare(const RS::Surface&, const RS::Execution&) const { return 0; }
+  int prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return 0; }
   RS::Segmentation merge(const RS::Surface& surface, int, const RS::Request&,
                          const RS::Execution&) const
   {

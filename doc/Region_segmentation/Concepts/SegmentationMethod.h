@@ -29,8 +29,8 @@ What a method reads and returns:
 Regions need not be connected. A method that cannot meet constraints or seeds throws
 `Invalid_input`.
 
-Nothing else is looked for in a method. What it can do is said by the type that `merge()` returns. A
-method of a user's own is shown in \ref RegionSegmentationOwnMethod.
+These two functions and the type `Prepared` are all that a method needs. The type that `merge()`
+returns tells whether the order of merges depends on the number of segments. A method of a user's own is shown in \ref RegionSegmentationOwnMethod.
 
 \cgalHasModel `CGAL::Region_segmentation::Learned_merging`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_merging`
@@ -44,12 +44,18 @@ public:
   /// what `prepare()` returns: any type that can be moved.
   struct Prepared;
 
-  /// computes what depends on the surface alone, and on no request. First regions do not cross
-  /// adjacencies that are `Surface::CONSTRAINED`. A `Segmenter` calls it once, and again for more
-  /// constraints. It begins by checking the constants, those of the parts of the package by their
+  /// computes what does not depend on seeds, such as first regions. These do not cross adjacencies
+  /// that are `Surface::CONSTRAINED`. A `Segmenter` calls it once, and again for more constraints.
+  /// It begins by checking the constants, those of the parts of the package by their
   /// `check_constants()`.
+  /// \param surface the surface to be segmented
+  /// \param number_of_segments the number that was given to `segment()` or to the constructor of
+  ///        the `Segmenter`, for which there should be enough first regions; 0 if none was given. A
+  ///        method may ignore it
+  /// \param execution as below
   /// \throws CGAL::Region_segmentation::Invalid_method if a constant is not in its range
-  Prepared prepare(const Surface& surface, const Execution& execution) const;
+  Prepared prepare(const Surface& surface, std::size_t number_of_segments,
+                   const Execution& execution) const;
 
   /*!
   segments the surface as the request says: with its number, or one of its own choice if that is 0,

@@ -130,11 +130,6 @@ void segment_by(const SegmentationMethod& method, const Segment& segment,
     result.number_of_segments = segment_with(RS::parameters::default_values());
     result.largest_number = largest_number(method.chooser, result.number_of_segments, result.tree);
   }
-  // Where more segments are wanted than there are regions, regions are split.
-  if (result.number_of_segments > result.tree.number_of_regions()) {
-    result.region_of_face = result.segment_of_face;
-    result.tree = RS::Merge_tree(result.number_of_segments);
-  }
   result.number_of_regions = result.tree.number_of_regions();
   result.seconds = clock.seconds();
   result.stages = clock.stages();

@@ -96,6 +96,11 @@ public:
 
   /// segments the mesh into a given number, or the nearest possible one; see `segment()`.
   ///
+  /// A method with one tree for all numbers gives at most as many segments as there are
+  /// `regions()`. `Learned_merging` and `Visibility_merging` make twice as many as the number given
+  /// to the constructor, at least some 480, on a mesh of at least as many faces: so the largest
+  /// number that will be asked for is to be given there.
+  ///
   /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
   /// \param number_of_segments an integer, at least 1
   /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters": `visitor`,
@@ -105,8 +110,7 @@ public:
   /// \pre `number_of_segments` is at least 1; see `segment()`
   /// \throws Segmentation_cancelled if the visitor cancels; the map is unchanged
   ///
-  /// Complexity: O(F) with a method that has one tree for all numbers, and O(F log F) where regions
-  /// are split; else that of merging.
+  /// Complexity: O(F) with a method that has one tree for all numbers; else that of merging.
   template <typename SegmentMap, typename Number,
             typename NamedParameters = parameters::Default_named_parameters>
   std::size_t segment(SegmentMap&& segment_map, Number number_of_segments,
@@ -142,7 +146,8 @@ public:
     const Execution execution = execution_of_request(np);
     Surface constrained = surface();
     m_input.add_constraints(constrained, constraints, internal::pack(np));
-    auto prepared = std::make_shared<const Prepared>(method(), std::move(constrained), execution);
+    auto prepared = std::make_shared<const Prepared>(method(), std::move(constrained),
+                                                     m_request.number_of_segments, execution);
     m_merged = merge(*prepared, m_request, execution);
     m_prepared = std::move(prepared);
   }
@@ -181,10 +186,11 @@ protected:
   Segmenter_base(Input input, const Pack& np, const Execution& execution,
                  const ReadSurface& read_surface)
     : m_input(std::move(input))
+    , m_request(internal::request_of_pack(m_input, np))
     , m_prepared(std::make_shared<const Prepared>(
         internal::method_of_pack<Method>(np),
-        internal::constrained(m_input, read_surface(execution), np), execution))
-    , m_request(internal::request_of_pack(m_input, np))
+        internal::constrained(m_input, read_surface(execution), np), m_request.number_of_segments,
+        execution))
     , m_merged(merge(*m_prepared, m_request, execution))
   {
     internal::check_parameters<Pack, internal::Segmenting_parameters<Input>>();
@@ -209,10 +215,10 @@ private:
     Surface surface;
     typename Calls::Prepared prepared;
 
-    Prepared(Method m, Surface s, const Execution& execution)
+    Prepared(Method m, Surface s, std::size_t number, const Execution& execution)
       : method(std::move(m))
       , surface(std::move(s))
-      , prepared(Calls::prepare(method, surface, execution))
+      , prepared(Calls::prepare(method, surface, number, execution))
     {}
   };
 
@@ -252,11 +258,10 @@ private:
     if constexpr (needs_number) {
       Request request = m_request;
       request.number_of_segments = number;
-      return Calls::segments(
-        Calls::merge(method(), surface(), m_prepared->prepared, request, execution), surface(),
-        number);
+      return Calls::merge(method(), surface(), m_prepared->prepared, request, execution)
+        .segments(number);
     } else
-      return Calls::segments(m_merged, surface(), number);
+      return m_merged.segments(number);
   }
 
   template <typename SegmentMap>
@@ -267,8 +272,8 @@ private:
   }
 
   Input m_input;
-  std::shared_ptr<const Prepared> m_prepared;
   Request m_request;
+  std::shared_ptr<const Prepared> m_prepared;
   Merged m_merged;
 };
 

@@ -30,8 +30,9 @@ namespace Region_segmentation {
 ///         `EdgeListGraph` where there is an `edge_is_constrained_map`
 /// \tparam FaceSegmentMap a model of `WritablePropertyMap` with the face descriptor as key and an
 ///         integral value type that holds the ids and -1 beside them
-/// \param mesh its faces are polygons of any size. Border edges that coincide are joined, and
-///        components are linked, unless `component_links` is `false`
+/// \param mesh its faces are polygons of any size. Coordinates are rounded to `double`, once, when
+///        they are read. Border edges that coincide are joined, and components are linked, unless
+///        `component_links` is `false`
 /// \param segment_map every key is written: ids 0 .. n-1, numbered by the first face
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
@@ -89,15 +90,14 @@ namespace Region_segmentation {
 ///       method whose order depends on the wanted number, those down to k}
 ///     \cgalParamType{`Merge_tree`, passed by `std::ref()` or as an lvalue}
 ///     \cgalParamDefault{not written}
-///     \cgalParamExtra{for more segments than first regions, `segment()` splits those of
-///       `Superfacets`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \returns the number n of segments. It is more than k if constraints or seeds keep more apart
 ///          (also constrained edges that separate nothing, see the manual), or components without
 ///          links, or if a user-defined policy ends before or its cost bars sections; and less if
-///          there are fewer first regions, which the method cannot split
+///          the method finds fewer first regions. `Learned_merging` and `Visibility_merging` give k
+///          segments up to the number of faces that are neither degenerate nor given twice
 ///
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
 ///      an unspecified number of segments

@@ -59,7 +59,7 @@ struct Concave_angle_merging
   struct Prepared
   {};
 
-  Prepared prepare(const RS::Surface&, const RS::Execution&) const { return {}; }
+  Prepared prepare(const RS::Surface&, std::size_t, const RS::Execution&) const { return {}; }
 
   RS::Hierarchy merge(const RS::Surface& surface, const Prepared&, const RS::Request& request,
                       const RS::Execution& execution) const

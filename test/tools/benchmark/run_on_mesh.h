@@ -55,10 +55,10 @@ struct Counting : Method
     , clock(&c)
   {}
 
-  auto prepare(const CGAL::Region_segmentation::Surface& surface,
+  auto prepare(const CGAL::Region_segmentation::Surface& surface, std::size_t number_of_segments,
                const CGAL::Region_segmentation::Execution& execution) const
   {
-    auto prepared = Method::prepare(surface, execution);
+    auto prepared = Method::prepare(surface, number_of_segments, execution);
     clock->set_number_of_regions(prepared.regions.number_of_parts());
     return prepared;
   }

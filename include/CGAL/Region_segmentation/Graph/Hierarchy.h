@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
-#include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <cstddef>
 #include <limits>
@@ -44,12 +43,11 @@ struct Seeds
 /// What a user asks of a method: the number of segments, and seeds.
 struct Request
 {
-  /// Whether labels will be asked for all numbers of segments, or for one number alone.
-  enum class Numbers { ALL, ONE };
-
   std::size_t number_of_segments = 0; ///< 0: chosen by the method
-  Numbers numbers = Numbers::ALL; ///< `ONE`: a method may leave out what only other numbers need
-  Seeds seeds;                    ///< of the faces
+  Seeds seeds;                        ///< of the faces
+  /// Whether labels will be asked for other numbers, too. A method may leave out what only these
+  /// need: with the borders of all numbers, `segment()` takes 1.1 to 1.4 times as long.
+  bool needs_all_numbers = true;
 };
 
 /// \ingroup PkgRegionSegmentationData
@@ -72,7 +70,7 @@ public:
   std::size_t number_of_segments() const { return m_number; }
 
   /// The segments of the faces: `number` of them, or the nearest number that there is.
-  Composed_partition segments(const Surface&, std::size_t number) const
+  Composed_partition segments(std::size_t number) const
   {
     return Composed_partition(m_regions, m_tree.partition_at_count(number));
   }

@@ -168,7 +168,8 @@ struct Smooth_faces
     Surface_faces faces;
   };
 
-  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  Prepared prepare(const Surface& surface, std::size_t /* number_of_segments */ = 0,
+                   const Execution& execution = Execution()) const
   {
     internal::check_constant("Smooth_faces: tolerance", tolerance, 0);
     chooser.check_constants();

@@ -91,39 +91,6 @@ inline std::size_t most_central(const std::vector<Partition>& partitions,
 
 } // namespace internal
 
-/// \ingroup PkgRegionSegmentationData
-/// A hierarchy whose regions can be split further, so that there are as many segments as are asked
-/// for, up to the number of faces that are not degenerate.
-class Refinable_hierarchy : public Hierarchy
-{
-public:
-  Refinable_hierarchy() = default;
-  /// `largest_number`: of segments; 0 if regions must not be split
-  Refinable_hierarchy(Hierarchy hierarchy, const Superfacets& superfacets,
-                      std::size_t largest_number)
-    : Hierarchy(std::move(hierarchy))
-    , m_superfacets(superfacets)
-    , m_largest_number(largest_number)
-  {}
-
-  /// The segments of the faces of the surface that the hierarchy was made of. O(F log F) where
-  /// regions are split.
-  Composed_partition segments(const Surface& surface, std::size_t number) const
-  {
-    if (m_largest_number > 0)
-      number = (std::min)(number, m_largest_number);
-    if (m_largest_number == 0 || number <= regions().number_of_parts())
-      return Hierarchy::segments(surface, number);
-    Partition split = m_superfacets.split(surface, regions(), number);
-    Partition segments = Partition::into_single_elements(split.number_of_parts());
-    return {std::make_shared<const Partition>(std::move(split)), std::move(segments)};
-  }
-
-private:
-  Superfacets m_superfacets;
-  std::size_t m_largest_number = 0;
-};
-
 /// \ingroup PkgRegionSegmentationMethods
 /// Merges superfacets: divides the surface into `Superfacets`, annotates them with what rays from
 /// them see, merges them by a policy, and moves the borders of the segments to minimum cuts. A
@@ -131,8 +98,10 @@ private:
 ///
 /// A surface with noise is smoothed first (\ref RegionSegmentationNoise).
 ///
-/// Which of nearly equal merges comes first hangs on the superfacets, and so on chance. So several
-/// draws of them (`Superfacets::draws()`) are merged, each by itself; the result is the draw whose
+/// The superfacets decide which of nearly equal merges comes first. Since a slightly different
+/// mesh has other superfacets, a single set of them would make the segments a matter of chance. So
+/// several draws of superfacets (`Superfacets::draws()`) are merged, each by itself; the result is
+/// the draw whose
 /// segmentation into its chosen number of segments has the smallest sum of Rand index distances to
 /// those of the others, of several the one with most superfacets. (Segmentations are compared on
 /// the centers of the coarse patches, by the areas of these in \f$2^{-26}\f$ of the surface,
@@ -140,7 +109,10 @@ private:
 /// draw is taken.
 ///
 /// The order of merges does not depend on the number of segments. If no number is given, a chooser
-/// chooses it. If more segments are wanted than there are superfacets, superfacets are split.
+/// chooses it. If a number k of segments is given to `prepare()`, there are at least 2k superfacets
+/// in the first draw, and draws with fewer than k are left out. If the surface has fewer patches
+/// than k, each face is a patch. So every k is met, up to the number of faces that are not
+/// degenerate.
 ///
 /// \tparam GraphAnnotator a model of `GraphAnnotator`
 /// \tparam MergingPolicy a model of `MergingPolicy`, or `Policy_phases`
@@ -169,7 +141,9 @@ struct Superfacet_merging
     const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
-  Prepared prepare(const Surface& given, const Execution& execution = Execution()) const
+  /// `number_of_segments`: for which there are enough superfacets; 0: those of `superfacets`
+  Prepared prepare(const Surface& given, std::size_t number_of_segments = 0,
+                   const Execution& execution = Execution()) const
   {
     internal::check_constants(policy);
     internal::check_constants(chooser);
@@ -184,14 +158,10 @@ struct Superfacet_merging
     Prepared result;
     result.smoothed = internal::without_noise(given, stage.step(0, 0.1));
     const Surface& surface = result.shape(given);
-    result.patches = internal::Patch_builder::build(surface, stage.step(0.1, 0.6));
-    const Patches& cells = result.patches.fine;
-    std::vector<Requested_regions> draws; // without seeds
-    for (const Partition& draw :
-         superfacets.draws(surface, result.patches, number_of_draws, stage.step(0.6, 1)))
-      draws.push_back(
-        {composed(cells.of_elements(), internal::join_degenerate_regions(surface, cells, draw)),
-         Seeds()});
+    result.patches = internal::Patch_builder::build(surface, number_of_segments,
+                                                    stage.step(0.1, 0.6));
+    std::vector<Requested_regions> draws = draws_for(surface, result.patches, number_of_segments,
+                                                     stage.step(0.6, 1));
     if (const Execution rays = execution.stage("rays"); surface.area() > 0)
       result.rays = internal::Inward_rays(surface, result.patches, draws.front().regions)
                       .trace(rays);
@@ -199,8 +169,8 @@ struct Superfacet_merging
     return result;
   }
 
-  Refinable_hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
-                            const Execution& execution = Execution()) const
+  Hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
+                  const Execution& execution = Execution()) const
   {
     const Surface& surface = prepared.shape(given);
     const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
@@ -214,18 +184,19 @@ struct Superfacet_merging
                                : request.seeds.empty()        ? prepared.chosen_number
                                                               : chooser(tree, surface);
     const Patches& cells = divided ? *divided : prepared.patches.fine;
-    const bool is_for_one_number = request.numbers == Request::Numbers::ONE;
     const std::vector<Surface::Index> label_of_cell = straightening(
-      surface, cells, requested, tree, is_for_one_number ? number : tree.number_of_regions(),
-      execution.stage("borders"));
+      surface, cells, requested, tree,
+      request.needs_all_numbers ? tree.number_of_regions() : number, execution.stage("borders"));
     std::vector<Surface::Index> region_of;
     region_of.reserve(surface.number_of_faces());
     for (const Surface::Index cell : cells.of_elements())
       region_of.push_back(label_of_cell[cell]);
-    const std::size_t largest_number = (std::max)(internal::number_of_proper_faces(surface),
-                                                  std::size_t(1));
-    return Refinable_hierarchy(internal::renumbered_hierarchy(region_of, tree, number), superfacets,
-                               request.seeds.empty() ? largest_number : 0);
+    Hierarchy result = internal::renumbered_hierarchy(region_of, tree, number);
+    // If so many regions have lost all their faces that too few are left, borders stay.
+    if (result.regions().number_of_parts() <
+        (std::min)(request.number_of_segments, tree.number_of_regions()))
+      return Hierarchy(requested.regions, std::move(tree), number);
+    return result;
   }
 
   /// The graph of regions of the faces, each a union of `cells`, with the data of the annotator.
@@ -243,6 +214,28 @@ struct Superfacet_merging
   }
 
 private:
+  /// Draws of superfacets, each of at least `number_of_segments`, as regions of the faces.
+  std::vector<Requested_regions> draws_for(const Surface& surface, const Surface_patches& patches,
+                                           std::size_t number_of_segments,
+                                           const Execution& execution) const
+  {
+    std::vector<Requested_regions> result; // without seeds
+    const auto add = [&](const Partition& draw) {
+      const Partition joined = internal::join_degenerate_regions(surface, patches.fine, draw);
+      if (result.empty() || joined.number_of_parts() >= number_of_segments)
+        result.push_back({composed(patches.fine.of_elements(), joined), Seeds()});
+    };
+    Superfacets sufficient = superfacets;
+    sufficient.number = (std::max)(sufficient.number, 2 * number_of_segments);
+    for (const Partition& draw : sufficient.draws(surface, patches, number_of_draws, execution))
+      add(draw);
+    if (result.front().regions.number_of_parts() < number_of_segments) {
+      result.clear();
+      add(Partition::into_single_elements(patches.fine.size()));
+    }
+    return result;
+  }
+
   Merge_tree merged(const Surface& surface, const std::vector<Inward_ray>& rays,
                     const Patches& cells, const Requested_regions& requested,
                     const Execution& execution) const

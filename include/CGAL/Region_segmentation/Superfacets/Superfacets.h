@@ -14,6 +14,7 @@
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,17 +25,8 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The number of faces that are not degenerate.
-inline std::size_t number_of_proper_faces(const Surface& surface)
-{
-  std::size_t number = 0;
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    number += !surface.is_degenerate(f);
-  return number;
-}
-
 /// Joins regions of patches so that none consists of degenerate faces alone, if possible: across
-/// the edges that join these, then across their other edges.
+/// the edges that join these, then across their other edges, then across seams and links.
 inline Partition join_degenerate_regions(const Surface& surface, const Patches& patches,
                                          const Partition& regions)
 {
@@ -46,7 +38,9 @@ inline Partition join_degenerate_regions(const Surface& surface, const Patches& 
   if (std::find(is_proper.begin(), is_proper.end(), false) == is_proper.end())
     return regions;
   Lowest_root_forest forest(is_proper.size());
-  for (const std::uint8_t flag : {Surface::JOINING, Surface::CLOSED})
+  constexpr std::array<std::uint8_t, 3> order = {Surface::JOINING, Surface::CLOSED,
+                                                 Surface::SEAM | Surface::LINK};
+  for (const std::uint8_t flag : order)
     for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
       const auto r = forest.root(regions[patch_of[surface.lower_face(a)]]),
                  s = forest.root(regions[patch_of[surface.higher_face(a)]]);
@@ -165,34 +159,6 @@ public:
     return draws;
   }
 
-  /// The partition into `number_of_parts` that splits connected regions of the faces further: the
-  /// face farthest from that nearest to the centroid of its region is separated first, with the
-  /// faces that were reached through it. Steps between faces are measured as those between patches.
-  /// Degenerate faces are separated last. O(F log F).
-  /// \pre `number_of_parts` is at least the number of regions
-  Partition split(const Surface& surface, const Partition& regions,
-                  std::size_t number_of_parts) const
-  {
-    if (surface.number_of_faces() == 0)
-      return Partition();
-    internal::Dual_graph graph(
-      surface,
-      [&](std::size_t a) {
-        return regions[surface.lower_face(a)] == regions[surface.higher_face(a)] &&
-               !surface.has_flag(a, Surface::CONSTRAINED);
-      },
-      [&](std::size_t a) {
-        return step(
-          surface,
-          norm(surface.centroid(surface.lower_face(a)) - surface.centroid(surface.higher_face(a))),
-          surface.concave_deviation(a));
-      });
-    internal::Farthest_point_seeding seeding(std::move(graph));
-    seeding.add(central_faces(surface, regions));
-    return seeding.split_regions(number_of_parts,
-                                 [&](Index f) { return surface.is_degenerate(f); });
-  }
-
 private:
   using Index = Surface::Index;
 
@@ -211,26 +177,6 @@ private:
     const double length = distance / mesh.length_unit() +
                           concave_weight * (std::min)(concavity, maximum_deviation);
     return (std::min)((std::max)(length, shortest_step), longest_step);
-  }
-
-  /// The face of each region nearest to its centroid.
-  static std::vector<Index> central_faces(const Surface& mesh, const Partition& regions)
-  {
-    std::vector<Index> faces(regions.number_of_parts());
-    std::vector<double> distances(faces.size(), (std::numeric_limits<double>::max)());
-    std::vector<internal::Second_moments> moments(faces.size());
-    const auto place = [&](std::size_t f) { return mesh.centroid(f) - mesh.centroid(0); };
-    for (std::size_t f = 0; f < regions.size(); ++f)
-      moments[regions[f]].add(mesh.weight(f), place(f));
-    for (std::size_t f = 0; f < regions.size(); ++f) {
-      const Index r = regions[f];
-      const double distance = squared_norm(place(f) - moments[r].centroid());
-      if (distance < distances[r]) {
-        distances[r] = distance;
-        faces[r] = Index(f);
-      }
-    }
-    return faces;
   }
 
   /// Returns the squared distance of each patch from the centroid of the surface.

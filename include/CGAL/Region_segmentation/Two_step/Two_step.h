@@ -324,7 +324,8 @@ struct Two_step
     Partition regions;
   };
 
-  Prepared prepare(const Surface& surface, const Execution& execution = Execution()) const
+  Prepared prepare(const Surface& surface, std::size_t /* number_of_segments */ = 0,
+                   const Execution& execution = Execution()) const
   {
     internal::check_constant("Two_step: maximum_angle", maximum_angle, 0, 180);
     internal::check_constant("Two_step: beta", beta, 0, 1);

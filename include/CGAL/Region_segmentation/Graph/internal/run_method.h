@@ -25,7 +25,7 @@ namespace internal {
 
 template <typename Method>
 using Prepared_by = decltype(std::declval<const Method&>().prepare(
-  std::declval<const Surface&>(), std::declval<const Execution&>()));
+  std::declval<const Surface&>(), std::size_t(), std::declval<const Execution&>()));
 template <typename Method>
 using Merged_by = decltype(std::declval<const Method&>().merge(
   std::declval<const Surface&>(), std::declval<const Prepared_by<Method>&>(),
@@ -46,9 +46,10 @@ constexpr bool check_method()
 {
   static_assert(
     satisfies<Is_method, Method>,
-    "a SegmentationMethod needs: Prepared prepare(const Surface&, const Execution&) const, and "
-    "Hierarchy or Segmentation merge(const Surface&, const Prepared&, const Request&, const "
-    "Execution&) const. (The default method needs #include <CGAL/region_segmentation.h>)");
+    "a SegmentationMethod needs: Prepared prepare(const Surface&, std::size_t number_of_segments, "
+    "const Execution&) const, and Hierarchy or Segmentation merge(const Surface&, const Prepared&, "
+    "const Request&, const Execution&) const. (The default method needs #include "
+    "<CGAL/region_segmentation.h>)");
   return true;
 }
 
@@ -60,21 +61,20 @@ struct Method_calls
   using Prepared = Prepared_by<Method>;
   using Merged = Merged_by<Method>;
 
-  static Prepared prepare(const Method& method, const Surface& surface, const Execution& execution);
+  /// `number`: the number of segments that was given; 0: none
+  static Prepared prepare(const Method& method, const Surface& surface, std::size_t number,
+                          const Execution& execution);
 
   /// \throws Invalid_method if regions and tree do not fit the surface
   static Merged merge(const Method& method, const Surface& surface, const Prepared& prepared,
                       const Request& request, const Execution& execution);
-
-  static Composed_partition segments(const Merged& merged, const Surface& surface,
-                                     std::size_t number);
 };
 
 template <typename Method>
 Prepared_by<Method> Method_calls<Method>::prepare(const Method& method, const Surface& surface,
-                                                  const Execution& execution)
+                                                  std::size_t number, const Execution& execution)
 {
-  return method.prepare(surface, execution);
+  return method.prepare(surface, number, execution);
 }
 
 template <typename Method>
@@ -91,13 +91,6 @@ Merged_by<Method> Method_calls<Method>::merge(const Method& method, const Surfac
                          std::to_string(regions.number_of_parts()) + " regions, and merges " +
                          std::to_string(number_of_regions));
   return result;
-}
-
-template <typename Method>
-Composed_partition Method_calls<Method>::segments(const Merged& merged, const Surface& surface,
-                                                  std::size_t number)
-{
-  return merged.segments(surface, number);
 }
 
 } // namespace internal
@@ -195,12 +188,11 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   const Method method = method_of_pack<Method>(np);
   surface = constrained(input, std::move(surface), np);
   Request request = request_of_pack(input, np);
-  if constexpr (!has_outputs<Pack>)
-    request.numbers = Request::Numbers::ONE;
+  request.needs_all_numbers = has_outputs<Pack>;
   using Calls = Method_calls<Method>;
-  const auto prepared = Calls::prepare(method, surface, execution);
+  const auto prepared = Calls::prepare(method, surface, request.number_of_segments, execution);
   const auto result = Calls::merge(method, surface, prepared, request, execution);
-  const Composed_partition segments = Calls::segments(result, surface, result.number_of_segments());
+  const Composed_partition segments = result.segments(result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
                 result.regions().number_of_parts(), "first region");

@@ -91,27 +91,6 @@ public:
     return forest.take_partition();
   }
 
-  /// The regions split further: the face farthest from its seed is separated first, with the faces
-  /// that were reached through it; of several, the higher one; those that `is_joined(face)` only
-  /// after all others.
-  Partition split_regions(std::size_t number_of_parts, std::function<bool(Index)> is_joined) const
-  {
-    const auto order = sorted_indices(m_reached.size(), [&](Index a, Index b) {
-      const auto key = [&](Index f) {
-        return std::make_tuple(!is_joined(f), m_reached[f].distance, f);
-      };
-      return key(a) < key(b);
-    });
-    std::size_t to_join = order.size() - (std::min)(number_of_parts, order.size());
-    Lowest_root_forest forest(order.size());
-    for (const Index f : order)
-      if (to_join > 0 && m_reached[f].predecessor != f) {
-        forest.unite(f, m_reached[f].predecessor);
-        --to_join;
-      }
-    return forest.take_partition();
-  }
-
 private:
   /// What is known of a face, stored together, since faces are accessed at random.
   struct Reached

@@ -63,27 +63,25 @@ class Patch_builder
   using Adjacency = Patches::Adjacency;
 
 public:
-  static Surface_patches build(const Surface& surface, const Execution& execution)
+  /// Each face is a patch if otherwise there were fewer than `least_number` fine patches, those of
+  /// degenerate faces alone not counted.
+  static Surface_patches build(const Surface& surface, std::size_t least_number,
+                               const Execution& execution)
   {
-    Patch_builder builder(surface, execution);
-    // A round takes a time proportional to the number of patches before it.
-    const auto report = [&] {
-      const double faces = double((std::max)(surface.number_of_faces(), std::size_t(1)));
-      execution.report(1 - double(builder.m_patches.size()) / faces);
-    };
-    const bool is_worth_another = builder.join_faces();
-    report();
+    Patch_builder joining(surface, execution);
+    const bool is_worth_another = joining.join_faces();
+    joining.report();
     if (is_worth_another)
-      builder.join_patches(Surface_patches::maximum_area, report);
-    Surface_patches result;
-    result.fine = builder.finish_fine();
-    const Patches& fine = result.fine;
-    builder.join_patches(Surface_patches::maximum_coarse_area, report);
-    result.coarse = builder.finish();
-    builder.set_centers(
-      result.coarse, [&](std::size_t p) { return fine[p].centroid; },
-      [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
-    return result;
+      joining.join_patches(Surface_patches::maximum_area);
+    Patches fine = joining.finish_fine();
+    std::size_t number = 0;
+    for (std::size_t p = 0; p < fine.size(); ++p)
+      number += !surface.is_degenerate(fine[p].center);
+    if (number >= least_number)
+      return joining.with_coarse(std::move(fine));
+    Patch_builder keeping(surface, execution);
+    keeping.replace_faces(Partition::into_single_elements(surface.number_of_faces()));
+    return keeping.with_coarse(keeping.finish_fine());
   }
 
   /// Divides patches by the borders of regions of the faces, into connected patches.
@@ -113,8 +111,27 @@ private:
 
   Patch_builder(const Surface& surface, const Execution& execution)
     : m_surface(surface)
+    , m_progress(execution)
     , m_execution(execution.silent())
   {}
+
+  /// A round takes a time proportional to the number of patches before it.
+  void report() const
+  {
+    const double faces = double((std::max)(m_surface.number_of_faces(), std::size_t(1)));
+    m_progress.report(1 - double(m_patches.size()) / faces);
+  }
+
+  /// Makes the coarse patches of the fine ones.
+  Surface_patches with_coarse(Patches fine)
+  {
+    join_patches(Surface_patches::maximum_coarse_area);
+    Patches coarse = finish();
+    set_centers(
+      coarse, [&](std::size_t p) { return fine[p].centroid; },
+      [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
+    return {std::move(fine), std::move(coarse)};
+  }
 
   Element face(std::size_t f, const Double_3& centroid) const
   {
@@ -142,8 +159,7 @@ private:
     return has_joined_enough(m_rounds.back());
   }
 
-  template <typename Report>
-  void join_patches(double maximum_area, const Report& report)
+  void join_patches(double maximum_area)
   {
     const auto patch = [&](std::size_t p) -> const Element& { return m_patches[p]; };
     const auto for_each_adjacency = [&](const auto& f) {
@@ -338,7 +354,7 @@ private:
   }
 
   const Surface& m_surface;
-  const Execution m_execution;     // silent
+  const Execution m_progress, m_execution; // the latter is silent
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
                                    // round before
   Large_array<Element> m_patches;
