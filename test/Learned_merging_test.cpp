@@ -111,6 +111,33 @@ TEST(Learned_merging_test, there_are_as_many_segments_as_are_asked_for_where_pat
   expect_every_number(joined(soup, translated(scaled(sphere(1), 1e-4), 2, 0, 0))); // a crumb
 }
 
+/// Whether each segment has a face that is not degenerate, for all numbers of segments.
+template <typename Method>
+void expect_proper_segments(const Soup& soup, const Method& method)
+{
+  const RS::Polygon_soup_segmenter segmenter(soup.points, soup.polygons,
+                                             RS::parameters::method(method));
+  for (std::size_t k = 2; k <= segmenter.regions().number_of_parts(); ++k) {
+    Labels labels(soup.polygons.size());
+    const std::size_t n = segmenter.segment(labels, k);
+    std::set<std::size_t> proper;
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      if (!segmenter.surface().is_degenerate(f))
+        proper.insert(labels[f]);
+    EXPECT_EQ(proper.size(), n) << k;
+  }
+}
+
+TEST(Learned_merging_test, no_segment_keeps_degenerate_faces_alone_when_borders_move)
+{
+  for (Family family : {Family::DEGENERATE_SHEET, Family::DEGENERATE_TORUS})
+    for (unsigned seed = 1; seed <= 30; ++seed) { // 5, 15 and 28 had such segments
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      expect_proper_segments(random_mesh(family, seed), RS::Learned_merging());
+      expect_proper_segments(random_mesh(family, seed), RS::Visibility_merging());
+    }
+}
+
 TEST(Learned_merging_test, is_the_default_and_needs_no_number)
 {
   const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));

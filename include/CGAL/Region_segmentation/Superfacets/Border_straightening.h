@@ -32,7 +32,8 @@ namespace internal {
 ///
 /// An element belongs to its region until it moves to another part, or is cut off from the part of
 /// its region. From then on it has no region: where its segment is divided, it joins the part with
-/// which it has the dearer border. A region can lose all its elements.
+/// which it has the dearer border. A region can lose all its elements. A part that keeps none but
+/// degenerate elements loses these to the other part, if its regions had others at first.
 ///
 /// O((P + R) h) for P elements and R regions in a tree of height h, and the cuts.
 class Nested_borders
@@ -55,6 +56,7 @@ public:
     , m_regions(tree.number_of_regions())
     , m_elements(tree.number_of_regions())
     , m_lost(tree.number_of_regions())
+    , m_is_proper_region(tree.number_of_regions())
     , m_part_of(tree.number_of_regions())
     , m_label_of(cells.size())
     , m_component_of(cells.size(), none)
@@ -76,6 +78,9 @@ public:
         m_part_of[r] = segment;
     for (Index e = 0; e < cells.size(); ++e) {
       m_region_of.push_back(requested.regions[cells[e].center]);
+      m_is_degenerate.push_back(surface.is_degenerate(cells[e].center));
+      if (!m_is_degenerate[e])
+        m_is_proper_region[m_region_of[e]] = true;
       m_label_of[e] = m_part_of[m_region_of[e]];
       m_elements[m_label_of[e]].push_back(e);
     }
@@ -96,6 +101,8 @@ public:
       divide(elements, a, b);
       if (merges - i <= number_of_cuts)
         move_border(elements, a, b);
+      join_if_degenerate(elements, a, b);
+      join_if_degenerate(elements, b, a);
       const auto of_b = std::stable_partition(elements.begin(), elements.end(),
                                               [&](Index e) { return m_label_of[e] == a; });
       m_elements[b].assign(of_b, elements.end());
@@ -231,6 +238,25 @@ private:
       take_from_region(e);
   }
 
+  /// Moves the elements of a part to the other one if all of them are degenerate, unless its
+  /// regions had no others at first, or a seed keeps one.
+  void join_if_degenerate(const std::vector<Index>& elements, Index part, Index other)
+  {
+    const auto keeps_part = [&](Index e) {
+      return m_label_of[e] == part && (!m_is_degenerate[e] || is_fixed(e));
+    };
+    const auto is_proper = [&](Index r) { return m_is_proper_region[r]; };
+    const std::vector<Index>& regions = m_regions[part];
+    if (std::any_of(elements.begin(), elements.end(), keeps_part) ||
+        std::none_of(regions.begin(), regions.end(), is_proper))
+      return;
+    for (const Index e : elements)
+      if (m_label_of[e] == part) {
+        m_label_of[e] = other;
+        take_from_region(e);
+      }
+  }
+
   void take_from_region(Index element)
   {
     if (const Index r = std::exchange(m_region_of[element], none); r != none)
@@ -248,9 +274,11 @@ private:
                                                  // removed segment
   std::vector<std::vector<Index>> m_regions, m_elements; // by segment
   std::vector<std::vector<Index>> m_lost;                // by region: the elements that it has lost
-  std::vector<Index> m_part_of;                          // by region: its segment
-  std::vector<Index> m_label_of;     // by element: its segment, named by the lowest region
-  std::vector<Index> m_component_of; // by element, in `keep_one_component()`
+  std::vector<bool> m_is_degenerate;                     // by element
+  std::vector<bool> m_is_proper_region; // whether a region had an element that is not degenerate
+  std::vector<Index> m_part_of;         // by region: its segment
+  std::vector<Index> m_label_of;        // by element: its segment, named by the lowest region
+  std::vector<Index> m_component_of;    // by element, in `keep_one_component()`
   Border_cut m_cut;
 };
 
@@ -283,6 +311,8 @@ private:
 ///    the number of elements that may move and \f$C\f$ the sum of their costs. Elements outside of
 ///    the band count with their own part. The move is not made if it disconnects a part. Moved
 ///    elements lose their region.
+/// -# If a part whose regions had cells that are not degenerate has none any more, its cells lose
+///    their region and join the other part, unless one has a seed.
 ///
 /// A region can lose all elements: then its merge is left out. The regions that remain are numbered
 /// by their first face.
