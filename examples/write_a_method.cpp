@@ -6,8 +6,8 @@
 #include "example_mesh.h"
 
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/number_choosers.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>

@@ -3,8 +3,8 @@
 #include "meshes.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
@@ -40,9 +40,8 @@ void annotate(Graph& graph, const RS::Surface& surface, const RS::Partition& reg
   const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, 0,
                                                                          RS::Execution());
   const auto rays = RS::internal::Inward_rays(surface, patches, regions).trace(RS::Execution());
-  RS::Learned_annotator()(
-    graph, surface, regions,
-    RS::Region_rays{rays, RS::internal::Region_shapes(surface, patches.fine, regions)});
+  RS::Learned_annotator()(graph, surface, regions,
+                          RS::Region_rays{rays, RS::Region_shapes(surface, patches.fine, regions)});
 }
 
 Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
@@ -84,7 +83,7 @@ void expect_near(const Double_3& a, const Double_3& b)
   EXPECT_NEAR(a.z, b.z, 1e-9);
 }
 
-void expect_near(const RS::internal::Second_moments& a, const RS::internal::Second_moments& b)
+void expect_near(const RS::Second_moments& a, const RS::Second_moments& b)
 {
   EXPECT_NEAR(a.weight, b.weight, 1e-9);
   expect_near(a.centroid(), b.centroid());
@@ -133,14 +132,14 @@ TEST(Second_moments_test, eigenvalues_are_roots_of_the_characteristic_polynomial
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int i = 0; i < 1000; ++i) {
-    RS::internal::Symmetric_3 m;
+    RS::Symmetric_3 m;
     for (int j = 0; j < 1 + i % 4; ++j) // of rank 1 to 3
       m.add_square(1, {any(random), any(random), any(random)});
-    const auto l = RS::internal::eigenvalues(m);
+    const auto l = RS::eigenvalues(m);
     EXPECT_GE(l[0], l[1]);
     EXPECT_GE(l[1], l[2] - 1e-12);
     EXPECT_NEAR(l[0] + l[1] + l[2], m.trace(), 1e-7 * l[0]);
-    EXPECT_NEAR(l[0] * l[0] + l[1] * l[1] + l[2] * l[2], trace_of_product(m, m),
+    EXPECT_NEAR(l[0] * l[0] + l[1] * l[1] + l[2] * l[2], RS::internal::trace_of_product(m, m),
                 1e-7 * l[0] * l[0]);
     EXPECT_NEAR(l[0] * l[1] * l[2], m.determinant(), 1e-7 * l[0] * l[0] * l[0]);
   }

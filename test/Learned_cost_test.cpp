@@ -17,7 +17,7 @@ namespace RS = CGAL::Region_segmentation;
 
 namespace Learned_cost_test {
 
-using Model = RS::Merge_features::Model;
+using Model = RS::Merge_model;
 constexpr std::size_t number_of_features = Model::number_of_features;
 
 int any_of(std::mt19937& random, int from, int to)
@@ -38,8 +38,7 @@ double value_of(const Model& model, const std::vector<double>& x)
   double sum = double(model.output_bias) / std::ldexp(1.0, 26);
   for (std::size_t i = 0; i < y.size(); ++i)
     sum += model.direct_weights[i] / 1024.0 * y[i];
-  for (std::size_t j = 0; j < model.number_of_units; ++j) {
-    const Model::Unit& unit = model.units[j];
+  for (const Model::Unit& unit : model.units) {
     double h = unit.bias / std::ldexp(1.0, 18);
     for (std::size_t i = 0; i < y.size(); ++i)
       h += unit.weights[i] / 1024.0 * y[i];
@@ -86,36 +85,30 @@ Graph random_graph(std::mt19937& random)
 }
 
 /// A model that knows one feature: the log odds are 1 - 4 times the concavity.
-struct Concavity_model
+Model concavity_model()
 {
-  static constexpr std::size_t concave = 2; // its place
-  std::vector<Model::Input> inputs = std::vector<Model::Input>(number_of_features, {0, 0});
+  constexpr std::size_t concave = 2; // its place
   Model model;
-
-  Concavity_model()
-  {
-    inputs[concave].factor = 1 << (Model::factor_bits + Model::input_bits - 9);
-    Model::Weights direct{};
-    direct[concave] = -4 * 1024;
-    model = {inputs.data(), nullptr, 0, direct, std::int64_t(1) << 26};
-  }
-};
+  model.name = "concavity-1";
+  model.inputs[concave].factor = 1 << (Model::factor_bits + Model::input_bits - 9);
+  model.direct_weights[concave] = -4 * 1024;
+  model.output_bias = std::int64_t(1) << 26;
+  return model;
+}
 
 TEST(Merge_model_test, agrees_with_real_numbers)
 {
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    std::vector<Model::Input> inputs;
-    for (std::size_t i = 0; i < number_of_features; ++i)
-      inputs.push_back({any_of(random, -10, 10), any_of(random, 100000, 2000000)});
-    std::vector<Model::Unit> units;
+    Model model;
+    for (Model::Input& input : model.inputs)
+      input = {any_of(random, -10, 10), any_of(random, 100000, 2000000)};
     for (std::size_t j = 0; j < 5; ++j)
-      units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
-                       random_weights(random, Model::weight_bound)});
-    const Model model{inputs.data(), units.data(), units.size(),
-                      random_weights(random, Model::weight_bound),
-                      any_of(random, -100000000, 100000000)};
+      model.units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
+                             random_weights(random, Model::weight_bound)});
+    model.direct_weights = random_weights(random, Model::weight_bound);
+    model.output_bias = any_of(random, -100000000, 100000000);
     for (int i = 0; i < 200; ++i) {
       Model::Features x;
       std::vector<double> real;
@@ -139,12 +132,11 @@ TEST(Learned_cost_test, is_the_formula_of_its_documentation)
 {
   std::mt19937 random(7);
   const Graph graph = random_graph(random);
-  const Concavity_model concavity;
-  const RS::Learned_cost cost(concavity.model);
+  const RS::Learned_cost cost(concavity_model());
   for (auto range = edges(graph); range.first != range.second; ++range.first) {
     const auto& section = graph[*range.first];
     const double p = 1 / (1 + std::exp(-(1 - 4 * section.concave / section.length)));
-    EXPECT_NEAR(RS::Merge_estimate(concavity.model, graph, *range.first).probability, p, 6e-3);
+    EXPECT_NEAR(RS::Merge_estimate(*cost.model, graph, *range.first).probability, p, 6e-3);
     const double w = graph[graph.source(*range.first)].area *
                      graph[graph.target(*range.first)].area;
     const double z = 1 - 2 * p;
@@ -160,8 +152,7 @@ TEST(Learned_cost_test, records_another_cost_than_that_of_the_order)
 {
   std::mt19937 random(8);
   const Graph graph = random_graph(random);
-  const Concavity_model concavity;
-  const RS::Learned_cost cost(concavity.model);
+  const RS::Learned_cost cost(concavity_model());
   const auto order = [&](const auto& g, auto s) { return cost(g, s); };
   Graph a = graph, b = graph, c = graph;
   const RS::Merge_tree by_order = merge_regions(a, RS::Lowest_cost_first(order), 1);
@@ -177,6 +168,23 @@ TEST(Learned_cost_test, records_another_cost_than_that_of_the_order)
     EXPECT_EQ(y.cost, cost.recorded_cost(c, section));
     c.merge(section);
   }
+}
+
+TEST(Learned_merging_test, a_model_of_a_user_is_shared_by_copies_that_outlive_the_original)
+{
+  std::optional<RS::Learned_merging> original(concavity_model());
+  const RS::Learned_merging copy = *original;
+  EXPECT_EQ(&copy.model(), &original->model());
+  original.reset();
+  EXPECT_EQ(copy.model().name, "concavity-1");
+  EXPECT_EQ(RS::Learned_merging().model().name, "learned-1");
+
+  std::mt19937 random(9);
+  const Graph graph = random_graph(random);
+  const RS::Learned_cost cost = std::get<2>(copy.policy).first.cost();
+  const auto section = *edges(graph).first;
+  EXPECT_EQ(cost(graph, section), RS::Learned_cost(concavity_model())(graph, section));
+  EXPECT_NE(cost(graph, section), RS::Learned_cost(RS::Merge_model())(graph, section));
 }
 
 TEST(Number_from_expected_costs_test, is_where_the_sum_is_lowest)

@@ -5,7 +5,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/internal/is_convex.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>

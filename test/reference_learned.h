@@ -303,7 +303,7 @@ inline double power_of_e(double x)
 /// The probability that points of the two regions belong to one part.
 inline double probability(const Features& x)
 {
-  const auto& model = CGAL::Region_segmentation::internal::learned_merge_model;
+  static const auto model = CGAL::Region_segmentation::internal::learned_merge_model();
   std::vector<std::int64_t> y;
   for (std::size_t i = 0; i < x.size(); ++i) { // in 2^-8
     const auto& input = model.inputs[i];
@@ -317,8 +317,7 @@ inline double probability(const Features& x)
     return sum;
   };
   std::int64_t output = model.output_bias + product(model.direct_weights) * 256; // in 2^-26
-  for (std::size_t j = 0; j < model.number_of_units; ++j) {
-    const auto& unit = model.units[j];
+  for (const auto& unit : model.units) {
     const double h = double(unit.bias + product(unit.weights));
     output += unit.output_weight * std::int64_t(4096 * h / (262144 + std::abs(h)));
   }

@@ -104,9 +104,9 @@ TEST(Segment_test, constants_are_in_their_ranges)
   expect_refused<Two>("Two_step: maximum_angle", {-.001, 180.001, nan},
                       [](Two& m, double x) { m.maximum_angle = x; });
   using Visibility = RS::Visibility_merging;
-  expect_refused<Visibility>("Superfacet_merging: number_of_draws", {0},
+  expect_refused<Visibility>("Superfacet_merging: number_of_draws", {0, 101, 1e18},
                              [](Visibility& m, double x) { m.number_of_draws = std::size_t(x); });
-  expect_refused<Visibility>("Superfacets: number", {0}, [](Visibility& m, double x) {
+  expect_refused<Visibility>("Superfacets: number", {0, 1e10}, [](Visibility& m, double x) {
     m.superfacets.number = std::size_t(x);
   });
   expect_refused<Visibility>("Superfacets: concave_weight", {-1, nan, inf},

@@ -46,7 +46,7 @@ TEST(Model_score_test, is_that_of_segment)
 {
   const std::size_t k = procedural_model().number_of_segments;
   const Training_model model = make_training_model(2, procedural_model(), RS::Learned_merging());
-  const Model_score score = score_learned(model, RS::internal::learned_merge_model);
+  const Model_score score = score_learned(model, RS::internal::learned_merge_model());
   EXPECT_NEAR(score.given, distance_of_segments(RS::parameters::number_of_segments(k)), 1e-12);
   EXPECT_NEAR(score.automatic, distance_of_segments(RS::parameters::default_values()), 1e-12);
   EXPECT_NEAR(score.first, score.given, 1e-12) << "there is one person";

@@ -27,6 +27,8 @@ void shuffle(std::vector<std::size_t>& items, std::mt19937& random)
     std::swap(items[i - 1], items[std::size_t(uniform(random) * double(i))]);
 }
 
+using Inputs = decltype(Model::inputs);
+
 /// Features as standardized inputs, as the integer network computes them.
 class Standardization
 {
@@ -45,13 +47,13 @@ public:
     for (std::size_t i = 0; i < n; ++i) {
       const double deviation = std::max(least_deviation,
                                         std::sqrt(variance[i] / double(rows.size())));
-      m_inputs.push_back({std::int32_t(std::lround(mean[i])),
-                          std::int32_t(std::lround(
-                            std::ldexp(1 / deviation, Model::factor_bits + Model::input_bits)))});
+      m_inputs[i] = {std::int32_t(std::lround(mean[i])),
+                     std::int32_t(std::lround(
+                       std::ldexp(1 / deviation, Model::factor_bits + Model::input_bits)))};
     }
   }
 
-  const std::vector<Model::Input>& inputs() const { return m_inputs; }
+  const Inputs& inputs() const { return m_inputs; }
 
   Eigen::MatrixXf operator()(const Training_rows& rows) const
   {
@@ -70,7 +72,7 @@ public:
 private:
   static constexpr double least_deviation = 4; // steps of a feature
 
-  std::vector<Model::Input> m_inputs;
+  Inputs m_inputs{};
 };
 
 /// Kingma and Ba 2015, with their constants.
@@ -109,7 +111,7 @@ std::int16_t weight(double x)
 }
 
 /// Adds a share of a network: `share` * its output.
-void add(Trained_model& result, const Network& network, double share)
+void add(Model& result, const Network& network, double share)
 {
   for (std::size_t j = 0; j < network.units(); ++j) {
     Model::Unit unit{
@@ -123,9 +125,9 @@ void add(Trained_model& result, const Network& network, double share)
 }
 
 /// The mean of networks with the same inputs.
-Trained_model mean_of(const std::vector<Network>& networks, const std::vector<Model::Input>& inputs)
+Model mean_of(const std::vector<Network>& networks, const Inputs& inputs)
 {
-  Trained_model result;
+  Model result;
   result.inputs = inputs;
   const double share = 1 / double(networks.size());
   Eigen::VectorXf direct = Eigen::VectorXf::Zero(inputs.size());
@@ -227,8 +229,7 @@ Network train_network(const Eigen::MatrixXf& x, const Training_rows& rows,
 
 } // namespace
 
-Trained_model train_networks(const Training_rows& rows, const Network_options& options,
-                             unsigned seed)
+Model train_networks(const Training_rows& rows, const Network_options& options, unsigned seed)
 {
   const Standardization standardization(rows);
   const Eigen::MatrixXf x = standardization(rows);

@@ -64,25 +64,9 @@ private:
   std::size_t m_inputs, m_units;
 };
 
-/// A trained network with integer constants.
-struct Trained_model
-{
-  std::vector<Model::Input> inputs;
-  std::vector<Model::Unit> units;
-  Model::Weights direct_weights{};
-  std::int64_t output_bias = 0;
-
-  /// Refers to this object.
-  Model model() const
-  {
-    return {inputs.data(), units.data(), units.size(), direct_weights, output_bias};
-  }
-};
-
-/// Trains networks by Adam on the weighted logistic loss; returns their mean. One thread; equal
-/// seeds give equal networks.
-Trained_model train_networks(const Training_rows& rows, const Network_options& options,
-                             unsigned seed);
+/// Trains networks by Adam on the weighted logistic loss; returns their mean, with integer
+/// constants and without a name. One thread; equal seeds give equal networks.
+Model train_networks(const Training_rows& rows, const Network_options& options, unsigned seed);
 
 } // namespace train_merge_cost
 

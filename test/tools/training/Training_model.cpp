@@ -53,7 +53,7 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   result.counts = Label_counts(std::vector<std::size_t>(regions.begin(), regions.end()),
                                regions.number_of_parts(), result.people);
   const RS::Merge_tree first_merges = RS::merge_regions(
-    result.graph, RS::Visibility_merging().policy, Training_model::Method::few);
+    result.graph, RS::Visibility_merging().policy, Training_model::Method::most_learned_regions);
   for (const RS::Merge_tree::Merge& merge : first_merges.merges())
     result.counts.merge(merge.kept, merge.removed);
   return result;

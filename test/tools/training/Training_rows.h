@@ -11,7 +11,7 @@
 namespace train_merge_cost {
 
 using CGAL::Region_segmentation::Merge_features;
-using Model = Merge_features::Model;
+using Model = CGAL::Region_segmentation::Merge_model;
 
 /// Possible merges, and what people say of them.
 struct Training_rows

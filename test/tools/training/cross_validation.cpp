@@ -45,10 +45,10 @@ Training_rows rows_without(const std::vector<Training_rows>& rows, const Folds& 
   return result;
 }
 
-std::vector<Trained_model> train_folds(const std::vector<Training_rows>& rows, const Folds& folds,
-                                       const Training_plan& plan)
+std::vector<Model> train_folds(const std::vector<Training_rows>& rows, const Folds& folds,
+                               const Training_plan& plan)
 {
-  std::vector<Trained_model> trained;
+  std::vector<Model> trained;
   for (std::size_t fold = 0; fold < number_of(folds); ++fold)
     trained.push_back(train_networks(rows_without(rows, folds, fold), plan.options, plan.seed));
   return trained;
@@ -128,7 +128,7 @@ Training_rows all_rows(const Cross_validation& validation)
   return result;
 }
 
-Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan)
+Model train_on_all(const Cross_validation& validation, const Training_plan& plan)
 {
   return train_networks(all_rows(validation), plan.options, plan.seed);
 }

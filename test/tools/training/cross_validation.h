@@ -40,12 +40,12 @@ Folds folds_of_categories(const std::vector<Training_model>& models);
 struct Cross_validation
 {
   Folds folds;
-  std::vector<Trained_model> trained; ///< by fold, without it
-  std::vector<Training_rows> rows;    ///< by model: those that were trained on
-  std::vector<Model_score> scores;    ///< by model, out of fold
+  std::vector<Model> trained;      ///< by fold, without it
+  std::vector<Training_rows> rows; ///< by model: those that were trained on
+  std::vector<Model_score> scores; ///< by model, out of fold
 
   /// The model that was trained without one of the models.
-  Model without(std::size_t model) const { return trained[folds[model]].model(); }
+  const Model& without(std::size_t model) const { return trained[folds[model]]; }
 };
 
 /// Training consists of rounds, each on the rows of all earlier ones.
@@ -55,7 +55,7 @@ Cross_validation cross_validate(const std::vector<Training_model>& models, const
 /// The rows of all models.
 Training_rows all_rows(const Cross_validation& validation);
 
-Trained_model train_on_all(const Cross_validation& validation, const Training_plan& plan);
+Model train_on_all(const Cross_validation& validation, const Training_plan& plan);
 
 } // namespace train_merge_cost
 

@@ -276,12 +276,11 @@ std::vector<std::string> provenance(const Options& options,
 /// soon as it is known.
 void write_report(const Options& options, const std::vector<Source>& sources,
                   const std::vector<Training_model>& models, const Cross_validation& validation,
-                  const Trained_model& final_model)
+                  const Model& final_model)
 {
   using princeton_benchmark::write_text;
-  const Model model = final_model.model();
   const std::vector<Model_score> in_sample = scores_of(
-    models, [&](const Training_model& m) { return score_learned(m, model); });
+    models, [&](const Training_model& m) { return score_learned(m, final_model); });
   std::vector<Scored_way> ways = {{"in sample", &in_sample}, {"out of fold", &validation.scores}};
   write_text(std::cout, means_table(models, ways));
   std::cout.flush();
@@ -312,7 +311,7 @@ int run_program(int argc, char** argv)
   const std::vector<Training_model> models = load_models(sources, options);
   const Cross_validation validation = cross_validate(models, folds_of_models(models, options.folds),
                                                      options.plan);
-  const Trained_model trained = train_on_all(validation, options.plan);
+  const Model trained = train_on_all(validation, options.plan);
   if (!options.header.empty()) {
     segment_mesh::Whole_file file(options.header);
     write_model(file.stream(), trained, provenance(options, models, validation));

@@ -49,7 +49,7 @@ double mean_error(const Training_rows& rows, const Predict& predict)
   return sum / double(rows.size());
 }
 
-Trained_model toy_model(const Training_rows& rows, unsigned seed)
+Model toy_model(const Training_rows& rows, unsigned seed)
 {
   Network_options options;
   options.epochs = 20;
@@ -129,10 +129,10 @@ TEST(Network_test, the_gradient_is_that_of_the_loss)
 TEST(Network_test, learns_a_slope_in_integers)
 {
   const Training_rows rows = toy_rows(4000, 1), others = toy_rows(500, 2);
-  const Trained_model network = toy_model(rows, 1);
+  const Model network = toy_model(rows, 1);
   const Network_options options;
   EXPECT_EQ(network.units.size(), options.number_of_units * options.number_of_networks);
-  EXPECT_LT(mean_error(others, network.model()), 0.25);
+  EXPECT_LT(mean_error(others, network), 0.25);
   EXPECT_GT(mean_error(others, [](const auto&) { return 0; }), 0.9);
 }
 

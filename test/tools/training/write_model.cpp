@@ -15,9 +15,9 @@ constexpr const char* head = R"(// SPDX-License-Identifier: LGPL-3.0-or-later
 #ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 
-#include <CGAL/Region_segmentation/Superfacets/internal/Merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/Merge_model.h>
 
-// Generated; a new training is a new version of the method.
+// Generated; a new training has a new name.
 //
 )";
 
@@ -83,28 +83,26 @@ void write_unit(Line_breaker& line, const Model::Unit& unit)
 
 } // namespace
 
-void write_model(std::ostream& out, const Trained_model& trained,
+void write_model(std::ostream& out, const Model& trained,
                  const std::vector<std::string>& provenance)
 {
   out << head;
   for (const std::string& line : provenance)
     out << "// " << line << '\n';
   out << "\nnamespace CGAL {\nnamespace Region_segmentation {\nnamespace internal {\n\n";
-  const std::string type = "Merge_model";
   Line_breaker line(out);
-  out << "inline constexpr " << type << "::Input learned_inputs[] = {\n";
+  out << "/// The model of `Learned_merging`.\ninline Merge_model learned_merge_model()\n{\nreturn "
+         "{\""
+      << trained.name << "\",\n{{\n";
   for (const Model::Input& input : trained.inputs)
     line.add("{" + std::to_string(input.center) + "," + std::to_string(input.factor) + "},");
   line.end_line();
-  out << "};\n\ninline constexpr " << type << "::Unit learned_units[] = {\n";
+  out << "}},\n{\n";
   for (const Model::Unit& unit : trained.units)
     write_unit(line, unit);
-  out << "};\n\ninline constexpr " << type << "::Weights learned_direct_weights =\n";
+  out << "},\n";
   write_array(line, trained.direct_weights, "}}");
-  out << ";\n\ninline constexpr " << type
-      << " learned_merge_model{\n  learned_inputs, learned_units, " << trained.units.size()
-      << ", learned_direct_weights, " << trained.output_bias << "};\n"
-      << foot;
+  out << ",\n" << trained.output_bias << "};\n}\n" << foot;
 }
 
 } // namespace train_merge_cost

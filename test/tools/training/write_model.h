@@ -13,7 +13,7 @@ namespace train_merge_cost {
 
 /// Writes a model as the header `learned_merge_model.h` of the library. `provenance`: lines of a
 /// comment
-void write_model(std::ostream& out, const Trained_model& trained,
+void write_model(std::ostream& out, const Model& trained,
                  const std::vector<std::string>& provenance);
 
 } // namespace train_merge_cost

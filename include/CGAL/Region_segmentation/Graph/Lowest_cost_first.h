@@ -61,6 +61,8 @@ public:
     : m_cost(std::move(cost))
   {}
 
+  const Cost& cost() const { return m_cost; }
+
   void check_constants() const { internal::check_constants(m_cost); }
 
   template <typename Graph>

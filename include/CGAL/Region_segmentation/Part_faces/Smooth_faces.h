@@ -5,9 +5,9 @@
 
 #include <CGAL/Region_segmentation/Graph/Hierarchy.h>
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
+#include <CGAL/Region_segmentation/Graph/Number_below_cost.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/internal/run_method.h>
-#include <CGAL/Region_segmentation/Graph/number_choosers.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/find_face_roles.h>

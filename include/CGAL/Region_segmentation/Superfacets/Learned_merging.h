@@ -4,13 +4,13 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_LEARNED_MERGING_H
 
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Number_from_expected_costs.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Graph/internal/run_method.h>
-#include <CGAL/Region_segmentation/Graph/number_choosers.h>
 #include <CGAL/Region_segmentation/Superfacets/Merge_features.h>
 #include <CGAL/Region_segmentation/Superfacets/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/Merge_model.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/learned_merge_model.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
@@ -23,7 +23,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <tuple>
+#include <utility>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -87,7 +89,7 @@ private:
   template <typename Graph>
   static Whole_shape whole_shape(const Graph& graph)
   {
-    internal::Second_moments moments;
+    Second_moments moments;
     double area_vectors = 0, outward = 0, distances = 0, strongly_concave = 0, length = 0;
     // With the area vectors written as w n, n of length 1, these are the sums of the tensors w n n
     // and w n n n n. Their squared norms are the sums over all pairs of regions of the second and
@@ -146,10 +148,10 @@ private:
 /// exponential \f$e^x\f$ is computed as \f$(1 + x / 2^{16})^{2^{16}}\f$ by squaring 16 times, here
 /// and in the costs.
 ///
-/// The constants are those of the header `Superfacets/internal/learned_merge_model.h`. They were
-/// trained on half of the Princeton benchmark and on furniture, see `doc/accuracy.md`. Since
-/// features are rounded, constants are integers, and all later operations have a prescribed
-/// rounding, costs do not depend on the last bits of logarithms, which differ between libraries.
+/// The model of `Learned_merging()` was trained on half of the Princeton benchmark and on
+/// furniture, see `doc/accuracy.md`. Since features are rounded, constants are integers, and all
+/// later operations have a prescribed rounding, costs do not depend on the last bits of logarithms,
+/// which differ between libraries.
 struct Merge_estimate
 {
   double probability;        ///< p: the probability that two points, one in either region, belong
@@ -159,18 +161,17 @@ struct Merge_estimate
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
-  Merge_estimate(const Merge_features::Model& model, const Graph& graph,
-                 typename Graph::section_descriptor s)
+  Merge_estimate(const Merge_model& model, const Graph& graph, typename Graph::section_descriptor s)
   {
     constexpr double bound = 16;
     const Merge_features::Values x = Merge_features::of(graph, s);
     const double log_odds = graph[s].length > 0
-                              ? std::ldexp(double(model(x)), -Merge_features::Model::result_bits)
+                              ? std::ldexp(double(model(x)), -Merge_model::result_bits)
                               : -bound;
     probability = 1 /
                   (1 + internal::portable_exp(-(std::max)(-bound, (std::min)(bound, log_odds))));
     const auto feature = [&](std::size_t i) {
-      return std::ldexp(double(x[i]), -Merge_features::Model::feature_bits);
+      return std::ldexp(double(x[i]), -Merge_model::feature_bits);
     };
     log_share_of_pairs = feature(Merge_features::log_area_m) + feature(Merge_features::log_area_l);
     visibility_cost = feature(Merge_features::cost);
@@ -193,15 +194,14 @@ struct Learned_cost
   using RegionData = Learned_region_data;
   using SectionData = Learned_section_data;
 
-  const Merge_features::Model* model;  ///< must exist as long as the cost
-  double exponent_of_gains = 0.1;      ///< in [0, 1]
-  double exponent_of_losses = 0.2;     ///< in [0, 1]
-  double visibility_cost_weight = 0.1; ///< c, at least 0
+  std::shared_ptr<const Merge_model> model; ///< copies share it
+  double exponent_of_gains = 0.1;           ///< in [0, 1]
+  double exponent_of_losses = 0.2;          ///< in [0, 1]
+  double visibility_cost_weight = 0.1;      ///< c, at least 0
 
-  explicit Learned_cost(const Merge_features::Model& model_)
-    : model(&model_)
+  explicit Learned_cost(Merge_model model_)
+    : model(std::make_shared<const Merge_model>(std::move(model_)))
   {}
-  explicit Learned_cost(Merge_features::Model&&) = delete; // a reference to it would dangle
 
   /// \throws Invalid_method if a constant is not in its range
   void check_constants() const
@@ -250,19 +250,21 @@ struct Learned_merging
 {
   /// The number of regions from which on the learned model merges, which it was trained for, and
   /// the largest number of segments that is chosen.
-  static constexpr std::size_t few = 60;
+  static constexpr std::size_t most_learned_regions = 60;
 
-  /// `model` must exist as long as the method.
-  explicit Learned_merging(const Merge_features::Model& model = internal::learned_merge_model)
+  /// `model`: that of the package, or one of a user's own
+  explicit Learned_merging(Merge_model model = internal::learned_merge_model())
     : Superfacet_merging{Learned_annotator(),
                          {std::get<0>(Visibility_merging().policy),
-                          {Lowest_cost_first(Visibility_cost()), few},
-                          {Lowest_cost_first(Learned_cost(model)), 1}},
+                          {Lowest_cost_first(Visibility_cost()), most_learned_regions},
+                          {Lowest_cost_first(Learned_cost(std::move(model))), 1}},
                          Number_from_expected_costs()}
   {
-    chooser.maximum_number = few;
+    chooser.maximum_number = most_learned_regions;
   }
-  explicit Learned_merging(Merge_features::Model&&) = delete; // a reference to it would dangle
+
+  /// The model, which copies of the method share.
+  const Merge_model& model() const { return *std::get<2>(policy).first.cost().model; }
 };
 
 #ifdef CGAL_REGION_SEGMENTATION_COMPILED

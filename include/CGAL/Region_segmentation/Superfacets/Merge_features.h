@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_MERGE_FEATURES_H
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_MERGE_FEATURES_H
 
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/Merge_model.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
@@ -83,7 +83,7 @@ struct Learned_region_data : Visibility_region_data
   double own_visibility = 0;        ///< weight of the rays that start and end in the region
   double perimeter = 0;             ///< length of the sections with other regions
   Double_3 area_vector{0, 0, 0};    ///< integral of the normal
-  internal::Second_moments moments; ///< of the area
+  Second_moments moments;           ///< of the area
   Whole_shape whole;                ///< the shape of the surface
 
   /// Adds the region on the other side of a section. All data are added, and `whole` remains. The
@@ -151,8 +151,7 @@ struct Learned_region_data : Visibility_region_data
 class Merge_features
 {
 public:
-  using Model = internal::Merge_model;
-  using Values = Model::Features;
+  using Values = Merge_model::Features;
 
   /// The places of the features that `Learned_cost` reads: the `Visibility_cost`, ln a_m, ln a_M.
   static constexpr std::size_t cost = 0, log_area_m = 3, log_area_l = 4;
@@ -170,7 +169,7 @@ public:
   }
 
 private:
-  using Numbers = std::array<double, Model::number_of_features>;
+  using Numbers = std::array<double, Merge_model::number_of_features>;
 
   static constexpr double smallest = 1e-12;
 
@@ -199,7 +198,7 @@ private:
     double own_visibility = ratio(2 * data.own_visibility, data.visibility);
     double normal_length = norm(data.area_vector), flatness = normal_length / area;
     Double_3 centroid = data.moments.centroid();
-    internal::Symmetric_3 covariance = data.moments.covariance();
+    Symmetric_3 covariance = data.moments.covariance();
     double width = root(covariance.trace());
     double log_filling = log_area - log(CGAL_PI * covariance.trace());
   };
@@ -212,7 +211,7 @@ private:
     const auto outward = [&](const Shape& shape) {
       return ratio(dot(shape.data.area_vector, line), shape.normal_length * norm(line));
     };
-    const auto w = internal::eigenvalues(u.covariance);
+    const auto w = eigenvalues(u.covariance);
     const Whole_shape& whole = m.data.whole;
     return {// The section.
             visibility_cost, log(Visibility_cost().depth(s)), ratio(s.concave, s.length),
@@ -238,7 +237,7 @@ private:
 
   static Values rounded(const Numbers& x)
   {
-    constexpr double bound = 32767, steps = 1 << Model::feature_bits;
+    constexpr double bound = 32767, steps = 1 << Merge_model::feature_bits;
     Values result;
     for (std::size_t i = 0; i < x.size(); ++i)
       result[i] = std::int16_t(

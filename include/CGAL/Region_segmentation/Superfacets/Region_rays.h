@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_REGION_RAYS_H
 
 #include <CGAL/Region_segmentation/Graph/Patches.h>
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/Ray_tree.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
@@ -164,7 +164,7 @@ private:
 struct Region_rays
 {
   const std::vector<Inward_ray>& rays; ///< none of a surface without area
-  internal::Region_shapes shapes;
+  Region_shapes shapes;
 };
 
 } // namespace Region_segmentation

@@ -125,7 +125,8 @@ struct Superfacet_merging
   NumberChooser chooser;
   Superfacets superfacets = Superfacets();
   Border_straightening straightening = Border_straightening();
-  std::size_t number_of_draws = 5; ///< at least 1
+  static constexpr std::size_t most_draws = 100; ///< more take only time
+  std::size_t number_of_draws = 5;               ///< in [1, `most_draws`]
 
   /// What does not depend on the wanted number of segments and on seeds.
   struct Prepared
@@ -149,7 +150,8 @@ struct Superfacet_merging
     internal::check_constants(chooser);
     superfacets.check_constants();
     straightening.check_constants();
-    internal::check_constant("Superfacet_merging: number_of_draws", double(number_of_draws), 1);
+    internal::check_constant("Superfacet_merging: number_of_draws", double(number_of_draws), 1,
+                             double(most_draws));
     static_assert(
       std::is_invocable_r<std::size_t, const NumberChooser&, const Merge_tree&,
                           const Surface&>::value,
@@ -208,8 +210,7 @@ struct Superfacet_merging
     auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                               typename GraphAnnotator::SectionData>(
       surface, regions, execution);
-    annotator(graph, surface, regions,
-              Region_rays{rays, internal::Region_shapes(surface, cells, regions)});
+    annotator(graph, surface, regions, Region_rays{rays, Region_shapes(surface, cells, regions)});
     return graph;
   }
 
@@ -226,7 +227,8 @@ private:
         result.push_back({composed(patches.fine.of_elements(), joined), Seeds()});
     };
     Superfacets sufficient = superfacets;
-    sufficient.number = (std::max)(sufficient.number, 2 * number_of_segments);
+    sufficient.number = (std::max)(sufficient.number,
+                                   2 * (std::min)(number_of_segments, surface.number_of_faces()));
     for (const Partition& draw : sufficient.draws(surface, patches, number_of_draws, execution))
       add(draw);
     if (result.front().regions.number_of_parts() < number_of_segments) {

@@ -4,8 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_SUPERFACETS_H
 
 #include <CGAL/Region_segmentation/Graph/Patches.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Graph/internal/Dual_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/Farthest_point_seeding.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
@@ -92,7 +92,9 @@ inline Partition join_degenerate_regions(const Surface& surface, const Patches& 
 class Superfacets
 {
 public:
-  std::size_t number;       ///< of regions, at least 1
+  static constexpr std::size_t largest_number = std::size_t(1) << 30;
+
+  std::size_t number;       ///< of regions, in [1, `largest_number`]
   double concave_weight;    ///< w, relative length per radian, at least 0: the lengthening of steps
                             ///< into valleys
   double maximum_deviation; ///< m, radian, at least 0: deviations above it count as this one
@@ -107,7 +109,7 @@ public:
   /// \throws Invalid_method if a constant is not in its range
   void check_constants() const
   {
-    internal::check_constant("Superfacets: number", double(number), 1);
+    internal::check_constant("Superfacets: number", double(number), 1, double(largest_number));
     internal::check_constant("Superfacets: concave_weight", concave_weight, 0);
     internal::check_constant("Superfacets: maximum_deviation", maximum_deviation, 0);
   }
@@ -184,7 +186,7 @@ private:
   {
     // Relative to a point of the mesh, to avoid cancellation far from the origin.
     const auto place = [&](std::size_t p) { return patches[p].centroid - patches[0].centroid; };
-    internal::Second_moments moments;
+    Second_moments moments;
     for (std::size_t p = 0; p < patches.size(); ++p)
       moments.add(patches[p].area, place(p));
     std::vector<double> distances;

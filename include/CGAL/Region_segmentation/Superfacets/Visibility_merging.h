@@ -4,9 +4,9 @@
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_VISIBILITY_MERGING_H
 
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Number_from_costs.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Graph/internal/run_method.h>
-#include <CGAL/Region_segmentation/Graph/number_choosers.h>
 #include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
 #include <CGAL/Region_segmentation/Superfacets/Superfacet_merging.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
@@ -254,7 +254,7 @@ public:
   {
     if (surface.area() == 0)
       return;
-    const std::vector<internal::Region_shape>& shapes = rays.shapes.regions;
+    const std::vector<Region_shape>& shapes = rays.shapes.regions;
     for (Index r = 0; r < regions.number_of_parts(); ++r) {
       graph[r].area = shapes[r].moments.weight;
       graph[r].visibility = 0;
@@ -270,7 +270,7 @@ public:
 
 private:
   /// The angle between the normals of two regions, positive where the regions face each other.
-  static double angle_between(const internal::Region_shape& a, const internal::Region_shape& b)
+  static double angle_between(const Region_shape& a, const Region_shape& b)
   {
     const Double_3 m = a.normal(), n = b.normal();
     const double angle = std::atan2(norm(cross(m, n)), dot(m, n));

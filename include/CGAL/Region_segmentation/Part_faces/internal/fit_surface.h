@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FIT_SURFACE_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FIT_SURFACE_H
 
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 
 #include <Eigen/Dense>

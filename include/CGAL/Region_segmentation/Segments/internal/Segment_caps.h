@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENTS_INTERNAL_SEGMENT_CAPS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENTS_INTERNAL_SEGMENT_CAPS_H
 
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/Large_array.h>

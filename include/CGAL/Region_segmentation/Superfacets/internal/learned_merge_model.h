@@ -3,9 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 #define CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_LEARNED_MERGE_MODEL_H
 
-#include <CGAL/Region_segmentation/Superfacets/internal/Merge_model.h>
+#include <CGAL/Region_segmentation/Superfacets/Merge_model.h>
 
-// Generated; a new training is a new version of the method.
+// Generated; a new training has a new name.
 //
 // Made by train_merge_cost --seed 1 from 190 models of the Princeton Segmentation Benchmark, of its even-numbered half, number 2 to 400, and 44 pieces of furniture of the weight 0.4.
 // The benchmark: X. Chen, A. Golovinskiy, T. Funkhouser, "A Benchmark for 3D Mesh Segmentation", ACM Transactions on Graphics 28(3), 2009. The furniture: made of the parts of IKEA-Manuals-at-Work (Liu et al., CC BY 4.0). See doc/accuracy.md.
@@ -17,14 +17,17 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-inline constexpr Merge_model::Input learned_inputs[] = {
+/// The model of `Learned_merging`.
+inline Merge_model learned_merge_model()
+{
+return {"learned-1",
+{{
 {-8131,6410},{-761,35227},{151,170664},{-2684,18306},{-1256,20623},{-1119,14295},{1666,36578},{1630,33558},{1651,19784},
 {185,79083},{-1300,33726},{-1270,31248},{26,109784},{-4,96275},{116,169398},{190,22514},{160,26107},{127,109056},
 {12,681117},{116,101650},{264,94142},{347,100221},{181,105204},{278,42868},{281,128722},{313,146263},{270,114958},
 {409,295437},{155,56874},{377,62133},{607,77720},{453,407792},{42,349399},{298,234204},{171,147580},
-};
-
-inline constexpr Merge_model::Unit learned_units[] = {
+}},
+{
 {-102236,6634,{{-32,73,132,321,537,59,142,284,-148,-200,431,405,9,-109,56,-33,-43,-117,-18,-32,-22,229,144,2,274,170,
 284,180,-105,192,413,-20,-459,687,502}}},
 {252954,8361,{{-107,43,-352,-230,-581,145,175,-40,-135,14,-112,-244,-93,-57,4,-166,-182,-30,185,-195,35,399,-286,85,131,
@@ -121,14 +124,11 @@ inline constexpr Merge_model::Unit learned_units[] = {
 -8,-5,-27,-342,39,125,9,-33,44,-102}}},
 {130131,7995,{{-135,-26,-34,169,282,-88,-344,-14,24,-339,-11,218,464,-417,-150,-123,0,-132,-199,-58,-100,-369,212,119,
 -284,146,-218,205,-205,-3,-134,132,-255,-453,-452}}},
-};
-
-inline constexpr Merge_model::Weights learned_direct_weights =
+},
 {{-293,51,238,-56,-356,135,139,88,167,170,-45,-340,152,-39,26,-200,37,-28,-31,282,166,226,-195,-345,-326,-277,-427,-93,
--181,136,-66,35,259,-468,212}};
-
-inline constexpr Merge_model learned_merge_model{
-  learned_inputs, learned_units, 48, learned_direct_weights, 25104342};
+-181,136,-66,35,259,-468,212}},
+25104342};
+}
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_MERGE_MODEL_H
-#define CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_MERGE_MODEL_H
+#ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_MERGE_MODEL_H
+#define CGAL_REGION_SEGMENTATION_SUPERFACETS_MERGE_MODEL_H
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
-namespace internal {
 
+/// \ingroup PkgRegionSegmentationPolicies
 /// A function from features to the logarithm of the odds of a merge: a neural network with one
 /// hidden layer.
 ///
@@ -22,7 +24,7 @@ namespace internal {
 /// In real numbers: with y_i = f_i (x_i - c_i), clamped to [-4, 4] and rounded to 2^-8,
 /// \f$b + \sum_i s_i y_i + \sum_j v_j h_j / (1 + |h_j|)\f$, \f$h_j = b_j + \sum_i w_{ji} y_i\f$.
 ///
-/// A model points to its constants, such as those of the generated table.
+/// A default constructed model, whose constants are 0, gives every merge the odds 1.
 ///
 /// Complexity: O(number of features * number of units).
 struct Merge_model
@@ -59,11 +61,12 @@ struct Merge_model
     Weights weights;            ///< w_ji, in 2^-weight_bits
   };
 
-  const Input* inputs; ///< one for each feature
-  const Unit* units;
-  std::size_t number_of_units;
-  Weights direct_weights;   ///< s_i, in 2^-weight_bits
-  std::int64_t output_bias; ///< b, in 2^-(activation_bits + output_weight_bits)
+  /// Tells the model and its version: labels of a method change only with this name.
+  std::string name;
+  std::array<Input, number_of_features> inputs{};
+  std::vector<Unit> units;
+  Weights direct_weights{};     ///< s_i, in 2^-weight_bits
+  std::int64_t output_bias = 0; ///< b, in 2^-(activation_bits + output_weight_bits)
 
   /// The logarithm of the odds that two regions belong to one part, in 2^-result_bits.
   std::int64_t operator()(const Features& x) const
@@ -72,10 +75,8 @@ struct Merge_model
     constexpr int output_bits = activation_bits + output_weight_bits;
     std::int64_t output = output_bias;
     output += std::int64_t(product(direct_weights, y)) * (1 << (output_bits - sum_bits));
-    for (std::size_t j = 0; j < number_of_units; ++j) {
-      const Unit& unit = units[j];
+    for (const Unit& unit : units)
       output += std::int64_t(unit.output_weight) * activation(unit.bias + product(unit.weights, y));
-    }
     return output / (1 << (output_bits - result_bits));
   }
 
@@ -109,6 +110,8 @@ private:
   }
 };
 
+namespace internal {
+
 /// Computes e^x with a relative error of at most x^2 / 2^17, for |x| <= 64, by additions and
 /// multiplications alone, which all processors round in the same way.
 inline double portable_exp(double x)
@@ -124,4 +127,4 @@ inline double portable_exp(double x)
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_MERGE_MODEL_H
+#endif // CGAL_REGION_SEGMENTATION_SUPERFACETS_MERGE_MODEL_H
