@@ -476,7 +476,7 @@ TEST(Smooth_borders_test, has_constants_of_its_own)
   RS::smooth_borders(mesh, map);
   EXPECT_EQ(labels_of(mesh, map), expected);
   restart(map);
-  RS::smooth_borders(mesh, map, CGAL::parameters::vertex_point_map(mesh.points()));
+  RS::smooth_borders(mesh, map, {}, CGAL::parameters::vertex_point_map(mesh.points()));
   EXPECT_EQ(labels_of(mesh, map), expected);
 }
 

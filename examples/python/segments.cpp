@@ -203,7 +203,8 @@ Array<std::int32_t> smooth_borders(const Soup& soup, const Array<std::int32_t>& 
   Labels result = to_vector(labels);
   run(1, progress, [&](Visitor& visitor) {
     Labelled_manifold manifold(soup, result);
-    RS::smooth_borders(manifold.mesh, manifold.map(), RS::parameters::visitor(std::ref(visitor)));
+    RS::smooth_borders(manifold.mesh, manifold.map(), {},
+                       RS::parameters::visitor(std::ref(visitor)));
     for (std::size_t f = 0; f < manifold.labels.size(); ++f)
       result[manifold.face_of_mesh_face[f]] = manifold.labels[f];
   });

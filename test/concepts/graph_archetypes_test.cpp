@@ -66,7 +66,7 @@ TEST(Graph_archetypes_test, of_faces_halfedges_and_vertices)
   EXPECT_EQ(RS::grow_regions(a.graph, a.marks, a.others, a.maps()), 3u);
   EXPECT_EQ(RS::build_region_adjacency_graph(a.graph, a.segments, a.maps()).number_of_regions(),
             3u);
-  RS::smooth_borders(a.graph, a.others, a.maps());
+  RS::smooth_borders(a.graph, a.others, {}, a.maps());
   EXPECT_EQ(RS::face_values(a.graph, a.segments).size(), number_of_faces);
 
   using Label = std::size_t;
@@ -114,7 +114,7 @@ TEST(Graph_archetypes_test, of_edges_where_edge_maps_are_read_or_written)
   RS::Segmenter segmenter(a.graph, with_marks);
   segmenter.add_constraints(a.marks, a.maps());
   EXPECT_EQ(segmenter.segment(a.segments, 1), 3u);
-  RS::smooth_borders(a.graph, a.segments, with_marks);
+  RS::smooth_borders(a.graph, a.segments, {}, with_marks);
   EXPECT_EQ(RS::build_region_adjacency_graph(a.graph, a.segments, with_marks).number_of_regions(),
             3u);
   std::vector<std::vector<Vertex>> lines;

@@ -249,6 +249,7 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
     manifold.mesh,
     boost::make_iterator_property_map(labels.segment_of_face.begin(),
                                       get(boost::face_index, manifold.mesh)),
+    {},
     RS::parameters::visitor(std::ref(clock))
       .edge_is_constrained_map(boost::make_iterator_property_map(
         is_constrained.begin(), get(boost::edge_index, manifold.mesh))));

@@ -206,7 +206,7 @@ inline std::size_t smooth_face_labels(const Surface& surface, const Minimum_cut_
 template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
           typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
 std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
-                           const Minimum_cut_borders& borders,
+                           const Minimum_cut_borders& borders = Minimum_cut_borders(),
                            const NamedParameters& np = parameters::default_values())
 {
   using Label = typename boost::property_traits<FaceSegmentMap>::value_type;
@@ -233,16 +233,6 @@ std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
     ++i;
   }
   return changed;
-}
-
-/// \ingroup PkgRegionSegmentationStages
-/// As above, with the constants of `Minimum_cut_borders()`.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename FaceSegmentMap, typename NamedParameters = parameters::Default_named_parameters>
-std::size_t smooth_borders(const FaceGraph& mesh, FaceSegmentMap segment_map,
-                           const NamedParameters& np = parameters::default_values())
-{
-  return smooth_borders<ConcurrencyTag>(mesh, segment_map, Minimum_cut_borders(), np);
 }
 
 } // namespace Region_segmentation
