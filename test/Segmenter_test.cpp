@@ -192,9 +192,16 @@ TEST(Segmenter_test, can_be_moved_copied_and_held_by_type)
   EXPECT_EQ(labels(moved, 3), before);
   RS::Segmenter by_default(mesh);
   const Labels by_default_before = labels(by_default, 4);
-  std::optional<RS::Segmenter<Surface_mesh, RS::Learned_merging>> held;
+  std::optional<RS::Segmenter<Surface_mesh>> held; // with the default method
   held.emplace(std::move(by_default));
   EXPECT_EQ(labels(*held, 4), by_default_before);
+  const RS::Segmenter<Surface_mesh> named(mesh);
+  EXPECT_EQ(labels(named, 4), by_default_before);
+  const Soup soup = soup_of(mesh);
+  const RS::Polygon_soup_segmenter<> of_soup(soup.points, soup.polygons);
+  Labels of_polygons(soup.polygons.size());
+  of_soup.segment(of_polygons, 4);
+  EXPECT_EQ(of_polygons, by_default_before);
 }
 
 TEST(Segmenter_test, can_be_asked_from_several_threads)

@@ -284,8 +284,9 @@ private:
 /// deduced: `Segmenter segmenter(mesh, parameters::method(m))`.
 ///
 /// \tparam FaceGraph see `segment()`
-/// \tparam Method a model of `SegmentationMethod`
-template <typename FaceGraph, typename Method>
+/// \tparam Method a model of `SegmentationMethod`; the default needs its header,
+///         `Superfacets/Learned_merging.h` or that of the package
+template <typename FaceGraph, typename Method = Learned_merging>
 class Segmenter : public Segmenter_base<internal::Face_graph_input<FaceGraph>, Method>
 {
   using Input = internal::Face_graph_input<FaceGraph>;
@@ -327,10 +328,12 @@ public:
   const FaceGraph& mesh() const { return this->input().mesh(); }
 };
 
+// The guides have the parameters of the constructors, so that they are preferred to the implicit
+// ones, which have the default method.
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters,
-          typename... ConcurrencyTag>
+          typename ConcurrencyTag = CGAL::Sequential_tag>
 Segmenter(const FaceGraph&, const NamedParameters& = parameters::default_values(),
-          ConcurrencyTag...)
+          ConcurrencyTag = ConcurrencyTag())
   -> Segmenter<FaceGraph, internal::Method_of_parameters<NamedParameters>>;
 
 /// \ingroup PkgRegionSegmentationMain
@@ -339,8 +342,8 @@ Segmenter(const FaceGraph&, const NamedParameters& = parameters::default_values(
 ///
 /// The template argument is deduced: `Polygon_soup_segmenter segmenter(points, polygons)`.
 ///
-/// \tparam Method a model of `SegmentationMethod`
-template <typename Method>
+/// \tparam Method a model of `SegmentationMethod`, see `Segmenter`
+template <typename Method = Learned_merging>
 class Polygon_soup_segmenter : public Segmenter_base<internal::Polygon_input, Method>
 {
   using Input = internal::Polygon_input;
@@ -366,9 +369,10 @@ public:
 
 template <typename PointRange, typename PolygonRange,
           typename NamedParameters = parameters::Default_named_parameters,
-          typename... ConcurrencyTag>
+          typename ConcurrencyTag = CGAL::Sequential_tag>
 Polygon_soup_segmenter(const PointRange&, const PolygonRange&,
-                       const NamedParameters& = parameters::default_values(), ConcurrencyTag...)
+                       const NamedParameters& = parameters::default_values(),
+                       ConcurrencyTag = ConcurrencyTag())
   -> Polygon_soup_segmenter<internal::Method_of_parameters<NamedParameters>>;
 
 } // namespace Region_segmentation
