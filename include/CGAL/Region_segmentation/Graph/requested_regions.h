@@ -13,7 +13,6 @@
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
-#include <CGAL/Region_segmentation/Surface/internal/find_links.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +20,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -165,6 +165,69 @@ inline Requested_regions requested_regions(const Surface& surface, const Partiti
       result.seeds.of[result.regions[f]] = seeds.of[f];
   return result;
 }
+
+namespace internal {
+
+/// The pairs of regions to be merged first, so that each crumb is one region and joins another
+/// component: that with the longest contact, of equal ones the nearest. The smallest crumb is
+/// first. Crumbs that join each other are joined to further components until one of these is no
+/// crumb.
+inline std::vector<std::pair<Partition::Index, Partition::Index>>
+merges_of_crumbs(const Surface& surface, const Partition& regions)
+{
+  using Index = Partition::Index;
+  std::vector<std::pair<Index, Index>> result;
+  if (surface.number_of_crumbs() == 0)
+    return result;
+  const Surface_arrays& arrays = arrays_of(surface);
+  const Partition& component_of = arrays.component_of;
+  const std::vector<double> areas = part_areas(surface, component_of);
+  // The ways out of crumbs: area of the crumb, crumb, -length of contact, distance, the region in
+  // the crumb, that in the other component, this component.
+  std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    for (const bool is_reverse : {false, true}) {
+      Index f = surface.lower_face(a), g = surface.higher_face(a);
+      if (is_reverse)
+        std::swap(f, g);
+      if (!surface.is_crumb(f))
+        continue;
+      if (const Index c = component_of[f], d = component_of[g]; c != d)
+        ways.push_back({areas[c], c, -surface.length(a),
+                        norm(surface.centroid(f) - surface.centroid(g)), regions[f], regions[g],
+                        d});
+      else if (regions[f] != regions[g])
+        result.push_back({regions[f], regions[g]});
+    }
+  std::sort(ways.begin(), ways.end());
+  Lowest_root_forest joined(areas.size());
+  std::vector<bool> is_crumb = arrays.crumbs; // by root: all of its components are crumbs
+  const auto unite = [&](Index c, Index d) {
+    const Index from = joined.root(c), to = joined.root(d);
+    const bool both = is_crumb[from] && is_crumb[to];
+    joined.unite(from, to);
+    is_crumb[joined.root(from)] = both;
+  };
+  // Regions of several components, as a face of a machine part with a sliver on its border.
+  std::vector<Index> first_of(regions.number_of_parts(), Surface::none);
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    Index& first = first_of[regions[f]];
+    if (first == Surface::none)
+      first = component_of[f];
+    else if (first != component_of[f])
+      unite(first, component_of[f]);
+  }
+  for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
+    const Index from = joined.root(crumb), to = joined.root(component);
+    if (from == to || !is_crumb[from])
+      continue;
+    unite(from, to);
+    result.push_back({region, other});
+  }
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
 /// merges the graph of requested regions by a policy until `number` are left: regions of different
