@@ -8,13 +8,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace merge_regions_test {
 
 namespace RS = CGAL::Region_segmentation;
+using namespace test;
 using Graph = RS::Region_adjacency_graph<>;
 
 struct Length_cost
@@ -167,6 +170,52 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
   }
   EXPECT_EQ(g.number_of_regions(), 4u);
   EXPECT_NO_THROW(RS::merge_regions(g, Policy_without_a_cost(), 4)) << "nothing is merged";
+}
+
+/// A crumb over two plates: a wide end over the first one, where its links are longest, and a row
+/// of 20 small squares over the second one, with which its contact is longest.
+Soup crumb_over_two_plates()
+{
+  const double u = 0.005, height = 1e-6;
+  Soup soup;
+  const auto add = [&](const std::vector<Point>& corners) {
+    Polygon polygon;
+    for (const Point& p : corners) {
+      const auto found = std::find(soup.points.begin(), soup.points.end(), p);
+      polygon.push_back(std::size_t(found - soup.points.begin()));
+      if (found == soup.points.end())
+        soup.points.push_back(p);
+    }
+    soup.polygons.push_back(polygon);
+  };
+  const auto add_rectangle = [&](double x, double w, double y, double z) {
+    add({{x, -y, z}, {x + w, -y, z}, {x + w, y, z}, {x, y, z}});
+  };
+  add_rectangle(-1, 1, 1, 0);
+  add_rectangle(u / 4, 1, 0.9, -height / 4);
+  add({{-2 * u, -u, height},
+       {-u, -u, height},
+       {-u, -u / 2, height},
+       {-u, u / 2, height},
+       {-u, u, height},
+       {-2 * u, u, height}});
+  add_rectangle(-u, u, u / 2, height);
+  for (int i = 0; i < 20; ++i)
+    add_rectangle(i * u, u, u / 2, height);
+  return soup;
+}
+
+// It joined the plate of the longest single link.
+TEST(Merge_requested_regions_test, a_crumb_joins_the_component_with_the_longest_contact)
+{
+  const Soup soup = crumb_over_two_plates();
+  std::vector<std::size_t> labels(soup.polygons.size());
+  EXPECT_EQ(RS::segment_polygon_soup(soup.points, soup.polygons, labels,
+                                     RS::parameters::number_of_segments(2).method(RS::Two_step())),
+            2u);
+  Labels expected(soup.polygons.size(), 1);
+  expected[0] = 0;
+  EXPECT_EQ(labels, expected);
 }
 
 } // namespace merge_regions_test

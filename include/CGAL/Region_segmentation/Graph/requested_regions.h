@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -94,9 +95,9 @@ inline bool connect_seed(const Dual_graph& steps, const std::vector<Partition::I
   return left == 0;
 }
 
-/// The regions changed so that there is one for each seed: the faces of each seed are connected,
-/// and a face of a region with seeds belongs to the seed of its region from which the fewest edges
-/// have to be crossed, of several to the one that is reached first from the lower faces.
+/// Returns the regions after seeds are applied, one for each seed: the faces of each seed are
+/// connected; a face of a region with seeds belongs to the seed of its region from which the fewest
+/// edges have to be crossed, of several to the one that is reached first from the lower faces.
 ///
 /// O(F log F) in practice, and O(F log F) for each seed at worst.
 /// \throws Invalid_input if the faces of a seed cannot be connected
@@ -134,12 +135,13 @@ inline Partition apply_seeds(const Surface& surface, const Partition& regions, c
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
-/// First regions as seeds change them, and the seeds of regions.
+/// The first regions after seeds were applied, and the seeds of these regions.
 struct Requested_regions
 {
   Partition regions; ///< of the faces
   Seeds seeds;       ///< of the regions
 
+  /// Whether the region has a seed.
   bool is_fixed(Partition::Index region) const
   {
     return !seeds.empty() && seeds.of[region] != Seeds::none;
@@ -168,70 +170,116 @@ inline Requested_regions requested_regions(const Surface& surface, const Partiti
 
 namespace internal {
 
+/// An adjacency between a crumb and another component.
+struct Way_out_of_crumb
+{
+  Partition::Index crumb, component, region, other; // components, and regions of the two faces
+  double length, distance;                          // distance: of the centroids of the faces
+};
+
+/// Returns the ways out of crumbs. The ways of smaller crumbs come first; of a crumb, those to the
+/// component with which its adjacencies are longest in total, of equal ones to that with the
+/// nearest faces; of these, the longest adjacency, of equal ones that of the nearest faces.
+inline std::vector<Way_out_of_crumb>
+ways_out_of_crumbs(const Surface& surface, const Partition& regions, const Partition& component_of)
+{
+  using Index = Partition::Index;
+  struct Contact
+  {
+    double length = 0, distance = std::numeric_limits<double>::infinity();
+  };
+  std::map<std::pair<Index, Index>, Contact> contacts; // of a crumb and a component
+  std::vector<Way_out_of_crumb> ways;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
+    for (const auto& [f, g] : {std::pair(lower, higher), std::pair(higher, lower)}) {
+      const Index c = component_of[f], d = component_of[g];
+      if (c == d || !surface.is_crumb(f))
+        continue;
+      const double length = surface.length(a),
+                   distance = norm(surface.centroid(f) - surface.centroid(g));
+      Contact& contact = contacts[{c, d}];
+      contact.length += length;
+      contact.distance = (std::min)(contact.distance, distance);
+      ways.push_back({c, d, regions[f], regions[g], length, distance});
+    }
+  }
+  const std::vector<double> areas = part_areas(surface, component_of);
+  const auto key = [&](const Way_out_of_crumb& w) {
+    const Contact& contact = contacts.at({w.crumb, w.component});
+    return std::make_tuple(areas[w.crumb], w.crumb, -contact.length, contact.distance, w.component,
+                           -w.length, w.distance, w.region, w.other);
+  };
+  std::sort(ways.begin(), ways.end(),
+            [&](const auto& v, const auto& w) { return key(v) < key(w); });
+  return ways;
+}
+
+/// Sets of components that are joined, and whether all components of a set are crumbs.
+class Joined_components
+{
+public:
+  using Index = Partition::Index;
+
+  /// `regions` can be of several components, as a face of a machine part with a sliver on its
+  /// border.
+  Joined_components(const Surface& surface, const Partition& regions, const Partition& component_of)
+    : m_sets(component_of.number_of_parts())
+    , m_is_crumb(component_of.number_of_parts())
+  {
+    std::vector<Index> first_of(regions.number_of_parts(), Surface::none);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      m_is_crumb[component_of[f]] = surface.is_crumb(f);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      Index& first = first_of[regions[f]];
+      if (first == Surface::none)
+        first = component_of[f];
+      unite(first, component_of[f]);
+    }
+  }
+
+  bool is_crumb(Index component) { return m_is_crumb[m_sets.root(component)]; }
+
+  /// Returns whether the two components were not joined before.
+  bool unite(Index c, Index d)
+  {
+    const bool both = is_crumb(c) && is_crumb(d), is_new = m_sets.unite(c, d);
+    m_is_crumb[m_sets.root(c)] = both;
+    return is_new;
+  }
+
+private:
+  Lowest_root_forest m_sets;
+  std::vector<bool> m_is_crumb; // by root
+};
+
 /// The pairs of regions to be merged first, so that each crumb is one region and joins another
-/// component: that with the longest contact, of equal ones the nearest. The smallest crumb is
-/// first. Crumbs that join each other are joined to further components until one of these is no
-/// crumb.
+/// component, see `ways_out_of_crumbs()`. Crumbs that join each other are joined to further
+/// components until one of these is no crumb.
 inline std::vector<std::pair<Partition::Index, Partition::Index>>
 merges_of_crumbs(const Surface& surface, const Partition& regions)
 {
-  using Index = Partition::Index;
-  std::vector<std::pair<Index, Index>> result;
+  std::vector<std::pair<Partition::Index, Partition::Index>> result;
   if (surface.number_of_crumbs() == 0)
     return result;
-  const Surface_arrays& arrays = arrays_of(surface);
-  const Partition& component_of = arrays.component_of;
-  const std::vector<double> areas = part_areas(surface, component_of);
-  // The ways out of crumbs: area of the crumb, crumb, -length of contact, distance, the region in
-  // the crumb, that in the other component, this component.
-  std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways;
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    for (const bool is_reverse : {false, true}) {
-      Index f = surface.lower_face(a), g = surface.higher_face(a);
-      if (is_reverse)
-        std::swap(f, g);
-      if (!surface.is_crumb(f))
-        continue;
-      if (const Index c = component_of[f], d = component_of[g]; c != d)
-        ways.push_back({areas[c], c, -surface.length(a),
-                        norm(surface.centroid(f) - surface.centroid(g)), regions[f], regions[g],
-                        d});
-      else if (regions[f] != regions[g])
-        result.push_back({regions[f], regions[g]});
-    }
-  std::sort(ways.begin(), ways.end());
-  Lowest_root_forest joined(areas.size());
-  std::vector<bool> is_crumb = arrays.crumbs; // by root: all of its components are crumbs
-  const auto unite = [&](Index c, Index d) {
-    const Index from = joined.root(c), to = joined.root(d);
-    const bool both = is_crumb[from] && is_crumb[to];
-    joined.unite(from, to);
-    is_crumb[joined.root(from)] = both;
-  };
-  // Regions of several components, as a face of a machine part with a sliver on its border.
-  std::vector<Index> first_of(regions.number_of_parts(), Surface::none);
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    Index& first = first_of[regions[f]];
-    if (first == Surface::none)
-      first = component_of[f];
-    else if (first != component_of[f])
-      unite(first, component_of[f]);
+  const Partition& component_of = arrays_of(surface).component_of;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Partition::Index f = surface.lower_face(a), g = surface.higher_face(a);
+    if (surface.is_crumb(f) && component_of[f] == component_of[g] && regions[f] != regions[g])
+      result.insert(result.end(), {{regions[f], regions[g]}, {regions[g], regions[f]}});
   }
-  for (const auto& [area, crumb, length, distance, region, other, component] : ways) {
-    const Index from = joined.root(crumb), to = joined.root(component);
-    if (from == to || !is_crumb[from])
-      continue;
-    unite(from, to);
-    result.push_back({region, other});
-  }
+  Joined_components joined(surface, regions, component_of);
+  for (const auto& way : ways_out_of_crumbs(surface, regions, component_of))
+    if (joined.is_crumb(way.crumb) && joined.unite(way.crumb, way.component))
+      result.push_back({way.region, way.other});
   return result;
 }
 
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationData
-/// merges the graph of requested regions by a policy until `number` are left: regions of different
-/// seeds never, crumbs first.
+/// merges the regions of a graph by a policy until `number` of them are left. Crumbs are merged
+/// first. Regions of different seeds are never merged.
 ///
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
 /// \tparam Policy a model of `MergingPolicy`, or `Policy_phases`
@@ -239,7 +287,7 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
 /// \param requested the regions, which seeds and constraints have changed
 /// \param graph is merged
 /// \param policy determines the order of merges
-/// \param number of regions to be left; with 1 there is a tree for all numbers
+/// \param number the number of regions at which merging ends; with 1 the tree has all numbers
 /// \param execution `Execution()`, or the stage of the merges (`execution.stage("merging")`)
 /// \returns the tree of the merges
 template <typename Graph, typename Policy>
