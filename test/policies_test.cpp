@@ -7,7 +7,9 @@
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/merge_regions.h>
-#include <CGAL/Region_segmentation/Two_step/Two_step.h>
+#include <CGAL/Region_segmentation/Two_step/Least_compact_region_first.h>
+#include <CGAL/Region_segmentation/Two_step/Smallest_region_first.h>
+#include <CGAL/Region_segmentation/Two_step/longest_flattest_section.h>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +78,52 @@ TEST(Longest_flattest_section_test, equal_sums_go_to_the_lower_neighbor)
 {
   EXPECT_EQ(chosen(star({{2, 1}, {2, 1}, {2, 1}}), 0.1), 1u);
   EXPECT_EQ(chosen(star({{1, 1}, {2, 1}, {2, 1}}), 0.1), 2u);
+}
+
+// The longer of two equally flat sections was taken with beta 0, the flatter of two equally long
+// ones with beta 1.
+TEST(Longest_flattest_section_test, what_has_no_weight_decides_nothing)
+{
+  EXPECT_EQ(chosen(star({{1, 1}, {2, 1}, {3, 1}}), 0), 1u);
+  EXPECT_EQ(chosen(star({{1, 1}, {2, 3}, {5, 3}, {4, 2}}), 0), 2u);
+  EXPECT_EQ(chosen(star({{2, 1}, {2, 2}, {2, 3}, {1, 3}}), 1), 1u);
+}
+
+/// Sections with the same numbers have the same sum, wherever they are in the list of the region.
+TEST(Longest_flattest_section_test, rounding_does_not_decide_between_equal_sections)
+{
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::vector<std::pair<double, double>> sections(2 + random() % 10);
+    for (auto& s : sections)
+      s = {double(1 + random() % 99) / 100, double(1 + random() % 99) / 100};
+    const std::pair<double, double> best(1.1, 1.1);
+    sections.insert(sections.begin() + std::ptrdiff_t(random() % sections.size()), best);
+    const auto first = std::uint32_t(std::find(sections.begin(), sections.end(), best) -
+                                     sections.begin() + 1);
+    sections.push_back(best);
+    for (const double beta : {0., 0.1, 0.7, 1.})
+      EXPECT_EQ(chosen(star(sections), beta), first) << beta;
+  }
+}
+
+/// Links are candidates for a region that cannot be merged across edges: such a region was never
+/// merged across a link if it had a constrained edge.
+TEST(Longest_flattest_section_test, links_are_for_regions_without_edges_to_merge_across)
+{
+  Graph g = star({{3, 3}, {1, 1}, {2, 2}});
+  for (const std::uint32_t neighbor : {1u, 3u}) {
+    RS::Section_geometry& data = g[*g.section(0, neighbor)];
+    data.link_length = data.length;
+    data.number_of_links = data.number_of_adjacencies;
+  }
+  EXPECT_EQ(chosen(g, 0.1), 2u);
+  g.forbid_merge(*g.section(0, 2));
+  EXPECT_EQ(chosen(g, 0.1), 1u);
+  for (const std::uint32_t neighbor : {1u, 3u})
+    g.forbid_merge(*g.section(0, neighbor));
+  EXPECT_FALSE(RS::longest_flattest_section(g, 0, 0.1));
 }
 
 TEST(Longest_flattest_section_test, zero_over_zero_is_a_half)
@@ -246,10 +294,41 @@ TEST(Least_compact_region_first_test, costs_are_means_over_the_other_regions)
   };
   const std::vector<double> of_two = costs({1, 1}), of_three = costs({1, 2, 4});
   ASSERT_EQ(of_two.size(), 1u);
-  EXPECT_NEAR(of_two[0], 1. / 2, 1e-12);
+  EXPECT_NEAR(of_two[0], 1. / 2, 1e-10);
   ASSERT_EQ(of_three.size(), 2u);
-  EXPECT_NEAR(of_three[0], (1. / 3 + 1. / 5) / 2, 1e-12);
-  EXPECT_NEAR(of_three[1], 3. / 7, 1e-12);
+  EXPECT_NEAR(of_three[0], (1. / 3 + 1. / 5) / 2, 1e-10);
+  EXPECT_NEAR(of_three[1], 3. / 7, 1e-10);
+}
+
+/// Merging makes regions of the same area and planarity as others: some of their sums were computed
+/// anew and others were updated, and rounding decided between them.
+TEST(Least_compact_region_first_test, equal_regions_are_told_apart_by_ids_alone)
+{
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Graph g;
+    const std::size_t n = 4 + random() % 30;
+    for (std::size_t r = 0; r < n; ++r)
+      add_region(g, double(1 + random() % 3), double(4 + random() % 3));
+    for (std::size_t i = 3 * n; i > 0; --i) {
+      const std::uint32_t a = random() % n, b = random() % n;
+      if (a != b && !g.section(a, b))
+        add_section(g, a, b, 0.125);
+    }
+    for (const double gamma : {0., 0.6, 1.}) {
+      Graph slow = g;
+      Merges expected;
+      while (true) { // a new policy sums anew
+        const auto best = RS::Least_compact_region_first(0.1, gamma);
+        RS::Merge_tree tree = RS::merge_regions(slow, best, slow.number_of_regions() - 1);
+        if (tree.merges().empty())
+          break;
+        expected.push_back({tree.merges()[0].kept, tree.merges()[0].removed});
+      }
+      EXPECT_EQ(merges(g, RS::Least_compact_region_first(0.1, gamma)), expected) << gamma;
+    }
+  }
 }
 
 TEST(Least_compact_region_first_test, takes_planarities_of_any_size)

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 
 namespace reference_test {
@@ -192,6 +193,72 @@ TEST(Reference_ties_test, break_the_same_way_where_the_numbers_are_exact)
       EXPECT_FALSE(differs_by_a_tie(soup, options, expected, result.tree));
       EXPECT_EQ(result.segments, expected.segment_id);
     }
+}
+
+/// A sheet of equal pyramids: each face is a region, of the same area and length of edges.
+Soup pyramids(std::size_t nx, std::size_t ny)
+{
+  return mapped(grid(nx, ny), [](const Point& p) {
+    return Point{p[0], p[1], double(int(p[0]) % 2 + int(p[1]) % 2)};
+  });
+}
+
+/// Unit cubes glued at random, or boxes of them, each of a few sizes.
+Soup random_boxes(std::mt19937& random)
+{
+  while (true) {
+    std::set<Voxel> voxels;
+    Voxel at{0, 0, 0};
+    for (unsigned i = 2 + random() % 4; i > 0; --i) {
+      const int size = 1 + int(random() % 3);
+      for (const Voxel& v : voxel_block(at, {at[0] + size, at[1] + size, at[2] + size}))
+        voxels.insert(v);
+      at[random() % 3] += size;
+    }
+    const Soup soup = voxel_surface({voxels.begin(), voxels.end()});
+    if (is_manifold(soup))
+      return random() % 2 ? soup : triangulated(soup);
+  }
+}
+
+void expect_no_difference(const Soup& soup, std::mt19937& random)
+{
+  Options options(1 + random() % 8, reference::Convexity::all);
+  if (random() % 3 == 0)
+    options.constrained_edges = random_edges(soup, 12, random);
+  for (const double beta : {0., 0.1, 1.})
+    for (const double gamma : {0., 0.6, 1.}) {
+      options.beta = beta;
+      options.gamma = gamma;
+      SCOPED_TRACE("beta " + std::to_string(beta) + ", gamma " + std::to_string(gamma) + ", k " +
+                   std::to_string(options.k));
+      const auto expected = reference::two_step(soup.points, soup.polygons, options);
+      const Result result = run(soup, options);
+      EXPECT_FALSE(differs_by_a_tie(soup, options, expected, result.tree));
+      EXPECT_EQ(result.segments, expected.segment_id);
+    }
+}
+
+TEST(Reference_ties_test, go_to_the_lower_id_with_all_weights)
+{
+  const unsigned first_seed = std::random_device{}();
+  for (unsigned seed = first_seed; seed < first_seed + 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Soup soup;
+    switch (seed % 4) {
+    case 0:
+      soup = pyramids(1 + random() % 8, 1 + random() % 6);
+      break;
+    case 1:
+      soup = joined(cube(), translated(random_boxes(random), 40, 0, 0));
+      break;
+    default:
+      soup = random_boxes(random);
+    }
+    shuffle_faces(soup, random);
+    expect_no_difference(soup, random);
+  }
 }
 
 std::string parameter_name(const ::testing::TestParamInfo<Family>& info)

@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -524,7 +525,7 @@ struct Region
 
 using Regions = std::map<std::size_t, Region>; // the live ones, by id
 
-// The edges between different regions by lower face, then by higher face.
+// The edges between different regions by higher face, then by lower face.
 // Choice: several edges between the same two faces come in the order of their vertex pairs.
 inline std::vector<Edge> collect_section_edges(const Mesh& mesh,
                                                const std::vector<std::size_t>& region_id)
@@ -533,7 +534,7 @@ inline std::vector<Edge> collect_section_edges(const Mesh& mesh,
   for (const auto& entry : mesh.edges) {
     const Edge_faces& sides = entry.second;
     if (!sides.is_mesh_border() && region_id[sides.left] != region_id[sides.right])
-      keys.emplace_back(sides.lower_face(), sides.higher_face(), entry.first);
+      keys.emplace_back(sides.higher_face(), sides.lower_face(), entry.first);
   }
   std::sort(keys.begin(), keys.end());
 
@@ -570,7 +571,8 @@ inline Regions build_regions(const Mesh& mesh, const std::vector<std::size_t>& r
 }
 
 // Eq. (3): the section of the region with the largest sum over its other sections; ties: lower
-// neighbor. Choice: constrained sections count in the sums, but are not taken.
+// neighbor. Choice: constrained sections count in the sums, but are not taken; the section itself
+// counts with 1/2, so that equal sections have the same terms in the same order.
 inline std::size_t choose_neighbor(const Region& region, double beta)
 {
   std::size_t best = none;
@@ -581,8 +583,6 @@ inline std::size_t choose_neighbor(const Region& region, double beta)
       continue;
     double sum = 0.;
     for (const auto& other : region.sections) {
-      if (other.first == candidate.first)
-        continue;
       const Section& section_j = other.second;
       sum += beta * share(section_i.length, section_j.length) +
              (1. - beta) * share(section_i.mean_angle(), section_j.mean_angle());
@@ -606,25 +606,28 @@ inline std::size_t choose_smallest_region(const Regions& regions)
   return best;
 }
 
+// What P_j(C_i) of eq. (4) subtracts from 1, in units of 2^-36, rounded.
+inline std::int64_t subtracted_term(const Region& i, const Region& j, double gamma)
+{
+  const double share_of_i = gamma * share_of_exponentials(i.planarity(), j.planarity()) +
+                            (1. - gamma) * share(i.area, j.area);
+  return std::int64_t(std::nearbyint(68719476736. * share_of_i));
+}
+
 // Step two, eq. (4): the region that has a section to merge across, with the largest sum over all
-// other live regions; ties: lower id.
+// other live regions, which is the smallest one of what is subtracted; ties: lower id.
 inline std::size_t choose_region_by_planarity(const Regions& regions, double gamma)
 {
   std::size_t best = none;
-  double best_sum = 0.;
+  std::int64_t best_sum = 0;
   for (const auto& candidate : regions) {
-    const Region& region_i = candidate.second;
-    if (!region_i.can_merge())
+    if (!candidate.second.can_merge())
       continue;
-    double sum = 0.;
-    for (const auto& other : regions) {
-      if (other.first == candidate.first)
-        continue;
-      const Region& region_j = other.second;
-      sum += 1. - gamma * share_of_exponentials(region_i.planarity(), region_j.planarity()) -
-             (1. - gamma) * share(region_i.area, region_j.area);
-    }
-    if (best == none || sum > best_sum) {
+    std::int64_t sum = 0;
+    for (const auto& other : regions)
+      if (other.first != candidate.first)
+        sum += subtracted_term(candidate.second, other.second, gamma);
+    if (best == none || sum < best_sum) {
       best = candidate.first;
       best_sum = sum;
     }
