@@ -48,6 +48,20 @@ TEST(Merge_tree_test, without_merges_or_regions)
   EXPECT_EQ(Merge_tree(3).partition_at_cost(1e300).number_of_parts(), 3u);
 }
 
+// In a release build such a merge read and wrote outside of arrays.
+TEST(Merge_tree_test, an_invalid_merge_is_refused_in_every_build)
+{
+  Merge_tree tree(4);
+  tree.push_back({1, 2, 0});
+  const std::pair<std::uint32_t, std::uint32_t> invalid[] = {{1, 0},          {1, 1}, {1, 4},
+                                                             {0, 4000000000}, {0, 2}, {2, 3}};
+  for (const auto& [kept, removed] : invalid)
+    EXPECT_THROW(tree.push_back({kept, removed, 0}), CGAL::Region_segmentation::Invalid_method)
+      << kept << " " << removed;
+  ASSERT_EQ(tree.merges().size(), 1u);
+  EXPECT_EQ(labels_of(tree.partition_at_count(1)), (Labels{0, 1, 1, 2}));
+}
+
 TEST(Merge_tree_test, random_trees_nest_and_agree_with_sets)
 {
   for (unsigned seed = 0; seed < 100; ++seed) {

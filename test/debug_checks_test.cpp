@@ -125,15 +125,6 @@ TEST_F(Debug_checks_test, the_graph_refuses_what_is_not_there)
   EXPECT_EQ(g.number_of_sections(), 1u);
 }
 
-TEST_F(Debug_checks_test, a_tree_takes_the_lower_region_first)
-{
-  RS::Merge_tree tree(3);
-  EXPECT_THROW(tree.push_back({1, 0, 0}), Precondition_exception);
-  EXPECT_THROW(tree.push_back({1, 1, 0}), Precondition_exception);
-  EXPECT_THROW(tree.push_back({1, 3, 0}), Precondition_exception);
-  EXPECT_TRUE(tree.merges().empty());
-}
-
 TEST(Checked_build_test, right_use_passes)
 {
   RS::Two_step all_edges;
