@@ -14,7 +14,6 @@
 
 #include <array>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,30 +23,6 @@ namespace RS = CGAL::Region_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 using Graph = RS::Region_adjacency_graph<>;
-using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data,
-                                                    RS::Visibility_section_data>;
-
-// expect: a GraphAnnotator needs the nested types RegionData and SectionData, and: void operator()
-namespace annotator {
-struct Annotator
-{
-  using RegionData = RS::Visibility_region_data;
-  using SectionData = RS::Visibility_section_data;
-#ifdef WITH_FAULT
-  void operator()(Visibility_graph&, const RS::Surface&) const {}
-#else
-  void operator()(Visibility_graph&, const RS::Surface&, const RS::Partition&,
-                  const RS::Region_rays&) const
-  {}
-#endif
-};
-void test(const Mesh& mesh, Labels labels)
-{
-  const RS::Superfacet_merging method{Annotator(), RS::Visibility_merging().policy,
-                                      RS::Visibility_merging().chooser};
-  RS::segment(mesh, labels, RS::parameters::method(method));
-}
-} // namespace annotator
 
 // expect: the constraints of polygons are a range of pairs of indices of points
 namespace constraints_of_polygons {
@@ -105,31 +80,6 @@ void test(const std::vector<std::array<double, 3>>& points,
   RS::segment_polygon_soup(points, polygons, labels);
 }
 } // namespace labels_of_polygons
-
-// expect: a MergingPolicy is copy constructible, and needs: void initialize
-namespace merging_policy {
-struct Policy
-{
-  void initialize(const Graph&) {}
-#ifdef WITH_FAULT
-  std::optional<Graph::section_descriptor> next(const Graph&)
-  {
-    return std::nullopt;
-  }
-#else
-  std::optional<RS::Merge_candidate> next(const Graph&)
-  {
-    return std::nullopt;
-  }
-#endif
-  void on_merge(const Graph&, const Graph::Merge&) {}
-};
-void test(Graph& graph)
-{
-  Policy policy;
-  RS::merge_regions(graph, policy, 3);
-}
-} // namespace merging_policy
 
 // expect: a SegmentationMethod needs: Prepared prepare(const Surface&, std::size_t
 // number_of_segments
@@ -232,19 +182,6 @@ void test(const Mesh& mesh, Labels labels)
 }
 } // namespace parameter_of_a_part
 
-// expect: the MergingPolicy names RegionData or SectionData that are not those of the graph
-namespace policy_without_its_data {
-// A policy that reads the data of another graph.
-void test(Visibility_graph& graph)
-{
-#ifdef WITH_FAULT
-  RS::merge_regions(graph, RS::Smallest_region_first(), 3);
-#else
-  RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3);
-#endif
-}
-} // namespace policy_without_its_data
-
 // expect: polygons are ranges of indices of points: of an integral type
 namespace polygons_of_numbers {
 #ifdef WITH_FAULT
@@ -259,24 +196,6 @@ void test(const Points& points, const std::vector<std::vector<Index>>& polygons,
   RS::segment_polygon_soup(points, polygons, labels);
 }
 } // namespace polygons_of_numbers
-
-// expect: a RegionData is default and copy constructible, and needs: void add_face
-namespace region_data {
-struct Region_data
-{
-#ifndef WITH_FAULT
-  void add_face(const RS::Surface&, std::size_t) {}
-#endif
-  void add_border(const RS::Surface&, std::size_t) {}
-  template <typename Section>
-  void absorb(const Region_data&, const Section&)
-  {}
-};
-void test(const Mesh& mesh, Labels labels)
-{
-  RS::build_region_adjacency_graph<Region_data>(mesh, labels);
-}
-} // namespace region_data
 
 // expect: a SectionCost needs: double operator()
 namespace section_cost {
@@ -300,28 +219,6 @@ void test(Graph& graph)
   RS::merge_regions(graph, policy, 3);
 }
 } // namespace section_cost
-
-// expect: a SectionData is default and copy constructible, and needs: void add_adjacency
-namespace section_data {
-struct Section_data
-{
-  double length = 0;
-#ifndef WITH_FAULT
-  void add_adjacency(const RS::Surface&, std::size_t) {}
-#endif
-  void absorb(const Section_data&) {}
-};
-struct Region_data
-{
-  void add_face(const RS::Surface&, std::size_t) {}
-  void add_border(const RS::Surface&, std::size_t) {}
-  void absorb(const Region_data&, const Section_data&) {}
-};
-void test(const Mesh& mesh, Labels labels)
-{
-  RS::build_region_adjacency_graph<Region_data, Section_data>(mesh, labels);
-}
-} // namespace section_data
 
 // expect: face_seed_map has an integral value type
 namespace seed_type {

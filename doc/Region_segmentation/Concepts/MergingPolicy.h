@@ -2,12 +2,9 @@
 \ingroup PkgRegionSegmentationConcepts
 \cgalConcept
 
-Proposes which regions are merged next. Copy constructible. Several policies one after the other are
-`CGAL::Region_segmentation::Policy_phases`. `Graph` is a
+Proposes which regions are merged next. A policy is copy constructible. Several policies that take
+over from each other are a `CGAL::Region_segmentation::Policy_phases`. `Graph` is a
 `CGAL::Region_segmentation::Region_adjacency_graph`, which a policy does not change.
-
-It may declare the data that it reads by the types `%RegionData` and `%SectionData`: unless the data
-of the graph are or derive from these, the combination does not compile.
 
 \cgalHasModel `CGAL::Region_segmentation::Lowest_cost_first`
 \cgalHasModel `CGAL::Region_segmentation::Smallest_region_first`
@@ -19,12 +16,13 @@ public:
   /// is called before the first merge of each run.
   void initialize(const Graph& graph);
 
-  /// proposes the next merge, of a section for which `graph.is_mergeable(section)`; empty if there
-  /// is none. The cost of the candidate is a number: otherwise
-  /// `CGAL::Region_segmentation::Invalid_method` is thrown. If called again before the proposal is
-  /// carried out, it proposes the same.
+  /// proposes the next merge, across a section for which `graph.is_mergeable(section)` is `true`;
+  /// returns nothing if there is no such section. The cost of the candidate is a number: otherwise
+  /// `CGAL::Region_segmentation::Invalid_method` is thrown. If the function is called again before
+  /// the regions are merged, it proposes the same merge.
   std::optional<Merge_candidate> next(const Graph& graph);
 
-  /// is called after each merge. Sections of the kept region may also have become not mergeable.
+  /// is called after each merge. A section of the kept region that was mergeable before may not be
+  /// mergeable any more.
   void on_merge(const Graph& graph, const Graph::Merge& merge);
 };

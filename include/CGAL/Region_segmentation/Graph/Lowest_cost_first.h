@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_LOWEST_COST_FIRST_H
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/check_parts.h>
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
 
 #include <algorithm>
@@ -15,12 +14,37 @@
 #include <optional>
 #include <queue>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
+
+template <typename Cost>
+using Names_data = std::void_t<typename Cost::RegionData, typename Cost::SectionData>;
+
+/// Whether a graph has the data that a cost names, if it names any.
+template <typename Cost, typename Graph>
+constexpr bool reads_data_of()
+{
+  if constexpr (satisfies<Names_data, Cost>)
+    return std::is_base_of<typename Cost::RegionData, typename Graph::RegionData>::value &&
+           std::is_base_of<typename Cost::SectionData, typename Graph::SectionData>::value;
+  return true;
+}
+
+template <typename Cost, typename Graph>
+constexpr bool check_section_cost()
+{
+  static_assert(reads_data_of<Cost, Graph>(), "the SectionCost names RegionData or SectionData "
+                                              "that are not those of the graph");
+  static_assert(std::is_invocable_r<double, const Cost&, const Graph&,
+                                    typename Graph::section_descriptor>::value,
+                "a SectionCost needs: double operator()(const Graph&, section_descriptor) const");
+  return true;
+}
 
 template <typename Cost, typename Graph>
 using Records_another_cost = decltype(double(
@@ -29,21 +53,21 @@ using Records_another_cost = decltype(double(
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// Turns a cost of sections into a policy: merges across the cheapest section of the graph next; of
-/// equal ones, the one between the lower regions. A model of `MergingPolicy`.
+/// Makes a policy of a cost of sections: it merges across the section of lowest cost next; of equal
+/// costs, across the section between the lower regions. A model of `MergingPolicy`.
 ///
 /// A cost may depend on a section and on its two regions. So a merge changes only the costs of the
-/// sections of the merged region, which are computed anew after each merge; but after every
-/// \f$d / h\f$th merge alone, rounded down, if the region has \f$d > h\f$ sections, \f$h\f$ the
-/// `hub_degree`. So the merges of a region with many sections take linear time, while the costs of
-/// these sections lag behind by a small share of the merges.
+/// sections of the merged region. They are computed anew after the merge. If the region has d
+/// sections, and d is greater than `hub_degree`, they are computed anew only after d / `hub_degree`
+/// merges (rounded down) of the region. So all merges of a region with many sections take linear
+/// time, and the costs of these sections are a little out of date.
 ///
 /// Complexity: O(min(d, `hub_degree`) log S) per merge, amortized, d the number of sections of the
 /// merged region.
 ///
-/// The cost of a merge in the tree is the cost of the section, or `recorded_cost(graph, section)`
-/// if the cost has this member function: the best next merge is not always the one whose cost
-/// should be added up to choose a number of segments.
+/// The cost of a merge in the tree is the cost of the section. If `Cost` has a member function
+/// `recorded_cost(graph, section)`, it is the value of this function, as where costs that determine
+/// the order have no meaningful sum.
 ///
 /// A lambda is a cost, too: `Lowest_cost_first([](const auto& graph, auto s) { return
 /// graph[s].length; })`.

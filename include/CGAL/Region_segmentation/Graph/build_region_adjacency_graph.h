@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_GRAPH_BUILD_REGION_ADJACENCY_GRAPH_H
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/check_parts.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
@@ -40,7 +39,6 @@ Region_adjacency_graph<RegionData, SectionData>
 build_region_adjacency_graph(const Surface& surface, const Partition& regions,
                              const Execution& execution = Execution())
 {
-  static_assert(internal::check_graph_data<RegionData, SectionData>());
   internal::check_regions(regions, surface.number_of_faces());
   Region_adjacency_graph<RegionData, SectionData> graph(regions.number_of_parts());
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)

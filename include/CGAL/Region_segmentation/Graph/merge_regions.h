@@ -6,7 +6,6 @@
 #include <CGAL/Region_segmentation/Graph/Hierarchy.h>
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/check_parts.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
@@ -59,14 +58,13 @@ public:
     }
   }
 
-  /// Merges in the order of a policy until `number` regions are left, and at most down to the
-  /// number of the constructor. Returns `false` if the policy has no further candidate before.
+  /// Merges in the order of a policy until `number` regions are left, or the number of the
+  /// constructor if that is larger. Returns `false` if the policy has no candidate before that.
   /// \throws Invalid_method if the policy proposes a section that is removed or not mergeable, or a
   ///         cost that is not a number
   template <typename Policy>
   bool run(Policy& policy, std::size_t number = 0)
   {
-    static_assert(check_merging_policy<Policy, Graph>());
     number = (std::max)(number, m_number);
     if (m_graph.number_of_regions() <= number)
       return true; // initializing a policy can take quadratic time
@@ -146,8 +144,8 @@ private:
 /// merges the regions of a graph, one section at a time, in the order of a policy, until
 /// `number_of_segments` are left or the policy has no further candidate.
 ///
-/// To stop at a cost, merge all of them, and ask the tree: `Merge_tree::partition_at_cost()`. A
-/// graph that is partly merged is merged further, by the same policy or another one.
+/// To stop at a cost, merge all regions and call `Merge_tree::partition_at_cost()`. A graph whose
+/// regions were merged before can be merged further, by the same policy or another one.
 ///
 /// \tparam Graph a `Region_adjacency_graph`
 /// \tparam Policy a model of `MergingPolicy`, or `Policy_phases`

@@ -7,7 +7,6 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Graph/Patches.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/internal/check_parts.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Superfacets/Border_straightening.h>
 #include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
@@ -206,7 +205,6 @@ struct Superfacet_merging
                        const Patches& cells, const Partition& regions,
                        const Execution& execution) const
   {
-    static_assert(internal::check_annotator<GraphAnnotator>());
     auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
                                               typename GraphAnnotator::SectionData>(
       surface, regions, execution);
