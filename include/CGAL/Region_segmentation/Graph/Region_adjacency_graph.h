@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
-/// A section as seen from one of its two regions. The two views of a section are equal.
+/// A section as seen from one of its two regions. Both descriptors of a section compare equal.
 class Section_descriptor
 {
 public:
@@ -40,8 +40,9 @@ public:
     : m_half(half)
   {}
 
-  /// The index of the section, and of its view.
+  /// The index of the section.
   std::uint32_t id() const { return m_half / 2; }
+  /// The index of the section as seen from one region: 2 `id()` or 2 `id()` + 1.
   std::uint32_t half() const { return m_half; }
 
   friend bool operator==(Section_descriptor a, Section_descriptor b) { return a.id() == b.id(); }
@@ -63,9 +64,9 @@ struct Merge_candidate
 };
 
 /// \ingroup PkgRegionSegmentationPolicies
-/// A sequence of policies, each with the number of regions at which the next one takes over.
-/// Functions that merge by a policy take a sequence, too. Merging ends where the current policy has
-/// no further candidate.
+/// A sequence of policies, each with the number of regions at which the next policy takes over. All
+/// functions that merge by a policy take such a sequence, too. Merging ends when the current policy
+/// has no further candidate.
 ///
 /// \code
 /// RS::merge_regions(graph, RS::Policy_phases<RS::Smallest_region_first, My_policy>{
@@ -209,9 +210,9 @@ public:
     return append_section(a, b, std::move(data), ADJACENT);
   }
 
-  /// Adds a section between two regions that have no common edge, to keep data of the pair. It is
-  /// not mergeable; absorbing it, or being absorbed by it, does not change whether another section
-  /// is mergeable.
+  /// Adds a section between two regions that have no common edge, which keeps data of the pair. It
+  /// is not mergeable. When it is united with another section, the result is mergeable if the other
+  /// section is.
   /// \pre both regions are there, and have no section yet
   section_descriptor add_nonadjacent_section(region_descriptor a, region_descriptor b,
                                              SectionData data = SectionData())
@@ -223,7 +224,7 @@ public:
   std::size_t index_bound_of_regions() const { return m_place_of.size(); }
   std::size_t index_bound_of_sections() const { return m_flags.size(); }
 
-  /// Bars a section, and every section that absorbs it, from merging.
+  /// Makes a section not mergeable, and every section that absorbs it later.
   void forbid_merge(section_descriptor s) { m_flags[s.id()] |= BARRED; }
 
   std::size_t number_of_regions() const { return m_number_of_regions; }
@@ -242,7 +243,8 @@ public:
   /// edge.
   bool is_mergeable(section_descriptor s) const { return m_flags[s.id()] == ADJACENT; }
 
-  /// The region that a descriptor, as it comes from `out_edges(r, g)`, starts from and leads to.
+  /// The region from which a descriptor sees its section (r, if it comes from `sections(r)`), and
+  /// the other region.
   region_descriptor source(section_descriptor s) const { return owner(s.half()); }
   region_descriptor target(section_descriptor s) const { return owner(s.half() ^ 1); }
 

@@ -15,9 +15,8 @@ namespace Region_segmentation {
 /// \ingroup PkgRegionSegmentationGraph
 /// Length and mean dihedral angle of a section. A model of `SectionData`.
 ///
-/// User-defined data derives from it, or has the same member functions. A type that derives from it
-/// and has members of its own declares its own `add_adjacency()` and `absorb()`, which call those
-/// of this class: inherited ones do not know the members.
+/// A type that derives from it and has members of its own declares its own `add_adjacency()` and
+/// `absorb()`, which call those of this class: inherited functions do not know the members.
 struct Section_geometry
 {
   double length = 0;                     ///< in units of `Surface::unit()`
@@ -31,7 +30,7 @@ struct Section_geometry
   /// Whether the two regions are adjacent across links alone.
   bool has_links_alone() const { return number_of_links == number_of_adjacencies; }
 
-  /// Accounts for an adjacency. One without an angle counts with theta = pi.
+  /// Adds an adjacency of the surface. One without an angle counts with theta = pi.
   void add_adjacency(const Surface& surface, std::size_t adjacency)
   {
     const double l = surface.length(adjacency);
@@ -59,18 +58,18 @@ struct Section_geometry
 /// Area and perimeter of a region. A model of `RegionData`.
 ///
 /// A type that derives from it and has members of its own declares its own `absorb()`, which calls
-/// that of this class: the inherited one does not know the members. The same applies to the
-/// functions that sum them, unless an annotator fills them.
+/// that of this class: the inherited function does not know the members. It also declares its own
+/// `add_face()` and `add_border()`, unless an annotator sets the members.
 struct Region_geometry
 {
   double area = 0;      ///< in squared units of `Surface::unit()`
   double perimeter = 0; ///< length of the edges and seams shared with other regions, in units of
                         ///< `Surface::unit()`
 
-  /// Accounts for a face of the region.
-  void add_face(const Surface& mesh, std::size_t face) { area += mesh.area(face); }
+  /// Adds a face of the region.
+  void add_face(const Surface& surface, std::size_t face) { area += surface.area(face); }
 
-  /// Accounts for an adjacency of the region and another one.
+  /// Adds an adjacency of the region and another one.
   void add_border(const Surface& surface, std::size_t adjacency)
   {
     if (!surface.has_flag(adjacency, Surface::LINK))

@@ -88,9 +88,9 @@ public:
     return none;
   }
 
-  /// Removes the section s between two places and unites them: the one with more remaining sections
-  /// (`to`, of equal ones) takes over those of the other. If both have a section to a third place,
-  /// calls `absorb(kept, removed)`. Returns the remaining place. Each section of the removed
+  /// Removes the section s between two places and unites these: the place with more sections (`to`
+  /// if both have as many) takes over those of the other one. If both have a section to a third
+  /// place, calls `absorb(kept, removed)`. Returns the remaining place. Each section of the removed
   /// place is looked up by `find()`.
   template <typename Absorb>
   Index unite(Index s, Index from, Index to, const Absorb& absorb)
