@@ -135,6 +135,12 @@ inline double share_of_exponentials(double a, double b)
   return power / (1. + power);
 }
 
+// A term of eq. (3) or (4) in units of 2^-36, rounded to an integer.
+inline std::int64_t rounded_term(double term)
+{
+  return std::int64_t(std::nearbyint(68719476736. * term));
+}
+
 // ---------------------------------------------------------------------------------------------------
 // The mesh
 // ---------------------------------------------------------------------------------------------------
@@ -571,21 +577,21 @@ inline Regions build_regions(const Mesh& mesh, const std::vector<std::size_t>& r
 }
 
 // Eq. (3): the section of the region with the largest sum over its other sections; ties: lower
-// neighbor. Choice: constrained sections count in the sums, but are not taken; the section itself
-// counts with 1/2, so that equal sections have the same terms in the same order.
+// neighbor. Choice: constrained sections count in the sums, but are not taken.
 inline std::size_t choose_neighbor(const Region& region, double beta)
 {
   std::size_t best = none;
-  double best_sum = 0.;
+  std::int64_t best_sum = 0;
   for (const auto& candidate : region.sections) {
     const Section& section_i = candidate.second;
     if (section_i.is_constrained)
       continue;
-    double sum = 0.;
+    std::int64_t sum = 0;
     for (const auto& other : region.sections) {
       const Section& section_j = other.second;
-      sum += beta * share(section_i.length, section_j.length) +
-             (1. - beta) * share(section_i.mean_angle(), section_j.mean_angle());
+      if (other.first != candidate.first)
+        sum += rounded_term(beta * share(section_i.length, section_j.length) +
+                            (1. - beta) * share(section_i.mean_angle(), section_j.mean_angle()));
     }
     if (best == none || sum > best_sum) {
       best = candidate.first;
@@ -606,14 +612,6 @@ inline std::size_t choose_smallest_region(const Regions& regions)
   return best;
 }
 
-// What P_j(C_i) of eq. (4) subtracts from 1, in units of 2^-36, rounded.
-inline std::int64_t subtracted_term(const Region& i, const Region& j, double gamma)
-{
-  const double share_of_i = gamma * share_of_exponentials(i.planarity(), j.planarity()) +
-                            (1. - gamma) * share(i.area, j.area);
-  return std::int64_t(std::nearbyint(68719476736. * share_of_i));
-}
-
 // Step two, eq. (4): the region that has a section to merge across, with the largest sum over all
 // other live regions, which is the smallest one of what is subtracted; ties: lower id.
 inline std::size_t choose_region_by_planarity(const Regions& regions, double gamma)
@@ -626,7 +624,9 @@ inline std::size_t choose_region_by_planarity(const Regions& regions, double gam
     std::int64_t sum = 0;
     for (const auto& other : regions)
       if (other.first != candidate.first)
-        sum += subtracted_term(candidate.second, other.second, gamma);
+        sum += rounded_term(
+          gamma * share_of_exponentials(candidate.second.planarity(), other.second.planarity()) +
+          (1. - gamma) * share(candidate.second.area, other.second.area));
     if (best == none || sum < best_sum) {
       best = candidate.first;
       best_sum = sum;

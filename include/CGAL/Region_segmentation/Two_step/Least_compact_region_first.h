@@ -39,10 +39,9 @@ inline double planarity(const Region_geometry& region)
 /// \f[ P_j(C_i) = 1 - \gamma \frac{e^{-\rho_i}}{e^{-\rho_i} + e^{-\rho_j}}
 ///              - (1 - \gamma) \frac{s_i}{s_i + s_j}, \f]
 /// \f$s\f$ the area and \f$\rho\f$ the planarity (paper, eq. 4); the lower id of equal sums. What
-/// \f$P_j\f$ subtracts from 1 is rounded to a multiple of \f$2^{-36}\f$: so the sums of up to
-/// \f$2^{17}\f$ regions are exact, and rounding does not decide between regions of equal area and
-/// planarity. The cost of a merge is 1 minus the mean of \f$P_j\f$: in [0, 1], low for an
-/// insignificant region.
+/// \f$P_j\f$ subtracts from 1 is rounded to a multiple of \f$2^{-36}\f$, so that rounding does not
+/// decide between regions of equal area and planarity. The cost of a merge is 1 minus the mean of
+/// \f$P_j\f$: in [0, 1], low for an insignificant region.
 ///
 /// Complexity: O(R^2) for R regions at the start, O(R) per merge, and the choice of the section.
 class Least_compact_region_first
@@ -118,14 +117,11 @@ private:
     return {region.area, rho, std::exp(-rho)};
   }
 
-  /// What P_j(C_i) subtracts from 1, rounded to a multiple of 2^-36: of numbers from 2^16 on, this
-  /// is the last digit of a double. (With `std::floor()`, k = 1000 takes 1.4 times as long.)
+  /// What P_j(C_i) subtracts from 1.
   double term(const Shape& i, const Shape& j) const
   {
-    constexpr double two_to_16 = 65536;
-    const double share_of_i = m_gamma * share_of_compactness(i, j) +
-                              (1 - m_gamma) * internal::share(i.area, j.area);
-    return (share_of_i + two_to_16) - two_to_16;
+    return internal::rounded_term(m_gamma * share_of_compactness(i, j) +
+                                  (1 - m_gamma) * internal::share(i.area, j.area));
   }
 
   /// e^-rho_i / (e^-rho_i + e^-rho_j), for planarities up to infinity.
