@@ -135,10 +135,18 @@ inline double share_of_exponentials(double a, double b)
   return power / (1. + power);
 }
 
-// A term of eq. (3) or (4) in units of 2^-36, rounded to an integer.
+// A term of eq. (4) in units of 2^-36, rounded to an integer.
 inline std::int64_t rounded_term(double term)
 {
   return std::int64_t(std::nearbyint(68719476736. * term));
+}
+
+// A number rounded to 36 bits.
+inline double rounded_to_36_bits(double x)
+{
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(fraction, 36)), exponent - 36);
 }
 
 // ---------------------------------------------------------------------------------------------------
@@ -577,21 +585,23 @@ inline Regions build_regions(const Mesh& mesh, const std::vector<std::size_t>& r
 }
 
 // Eq. (3): the section of the region with the largest sum over its other sections; ties: lower
-// neighbor. Choice: constrained sections count in the sums, but are not taken.
+// neighbor. Choice: constrained sections count in the sums, but are not taken; the section itself
+// counts with 1/2, so that equal sections have the same terms in the same order.
 inline std::size_t choose_neighbor(const Region& region, double beta)
 {
   std::size_t best = none;
-  std::int64_t best_sum = 0;
+  double best_sum = 0.;
   for (const auto& candidate : region.sections) {
     const Section& section_i = candidate.second;
     if (section_i.is_constrained)
       continue;
-    std::int64_t sum = 0;
+    double sum = 0.;
     for (const auto& other : region.sections) {
       const Section& section_j = other.second;
-      if (other.first != candidate.first)
-        sum += rounded_term(beta * share(section_i.length, section_j.length) +
-                            (1. - beta) * share(section_i.mean_angle(), section_j.mean_angle()));
+      sum += beta *
+               share(rounded_to_36_bits(section_i.length), rounded_to_36_bits(section_j.length)) +
+             (1. - beta) * share(rounded_to_36_bits(section_i.mean_angle()),
+                                 rounded_to_36_bits(section_j.mean_angle()));
     }
     if (best == none || sum > best_sum) {
       best = candidate.first;
