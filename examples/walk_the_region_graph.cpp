@@ -6,6 +6,8 @@
 #include "example_mesh.h"
 
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/region_segmentation.h>
 
 #include <boost/graph/breadth_first_search.hpp>
@@ -19,7 +21,8 @@ int main(int argc, char** argv)
   Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   RS::segment(mesh, segment_id);
-  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id);
+  const auto segments = RS::Partition::from_labels(RS::face_values(mesh, segment_id));
+  const auto graph = RS::build_region_adjacency_graph(RS::make_surface(mesh), segments);
 
   std::vector<int> distance(num_vertices(graph), 0);
   auto record = boost::record_distances(distance.data(), boost::on_tree_edge());

@@ -38,7 +38,7 @@ struct Facet_merging
                    const RS::Execution& execution) const
   {
     return {RS::grow_regions(
-      surface, RS::mark_feature_edges(surface, maximum_angle, RS::Feature_convexity::ALL),
+      surface, RS::detect_feature_edges(surface, maximum_angle, RS::Feature_convexity::ALL),
       execution.stage("regions"))};
   }
 

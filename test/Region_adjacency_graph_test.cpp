@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
@@ -381,7 +382,7 @@ Graph build(const Soup& soup, const Labels& labels)
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, labels[i++]);
-  return RS::build_region_adjacency_graph(mesh, map);
+  return test::build_region_adjacency_graph(mesh, map);
 }
 
 TEST(Build_region_adjacency_graph_test, borders_of_the_mesh_are_no_perimeter)
@@ -411,7 +412,7 @@ TEST(Build_region_adjacency_graph_test, labels_are_any_integers)
   const std::vector<long long> labels = {-1, 1LL << 40, -1, 7};
   for (auto f : faces(copy))
     map[f] = labels[f];
-  const Graph g = RS::build_region_adjacency_graph(copy, map);
+  const Graph g = test::build_region_adjacency_graph(copy, map);
   EXPECT_EQ(g.number_of_regions(), 3u);
   EXPECT_EQ(g[0].area, 2);
   EXPECT_EQ(g[1].area, 1);

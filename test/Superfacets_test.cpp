@@ -189,7 +189,7 @@ TEST(Superfacets_test, a_concave_line_is_a_border)
 {
   const RS::Surface mesh = surface_of(box_on_plate());
   EXPECT_EQ(regions_of(mesh, RS::Superfacets(2, 50)),
-            RS::grow_regions(mesh, RS::mark_feature_edges(mesh, 10)));
+            RS::grow_regions(mesh, RS::detect_feature_edges(mesh, 10)));
 }
 
 // Centroids of slivers whose steps differ by more than double can add: rounding hides that a seed

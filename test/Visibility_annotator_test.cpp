@@ -305,7 +305,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
       soup = reversed(soup);
     }
     const RS::Surface mesh = surface_of(soup);
-    const auto is_feature = RS::mark_feature_edges(
+    const auto is_feature = RS::detect_feature_edges(
       mesh, 30, is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE);
     const RS::Partition regions = RS::grow_regions(mesh, is_feature);
     ASSERT_EQ(regions.number_of_parts(), 2u);

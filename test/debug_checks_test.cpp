@@ -63,8 +63,7 @@ TEST_F(Debug_checks_test, number_of_segments_is_at_least_one)
 TEST_F(Debug_checks_test, maximum_angle_is_between_0_and_180)
 {
   for (double angle : {-0.001, 180.001, std::nan("")})
-    EXPECT_THROW(RS::detect_feature_edges(mesh, features, RP::maximum_angle(angle)),
-                 Precondition_exception);
+    EXPECT_THROW(RS::detect_feature_edges(RS::make_surface(mesh), angle), Precondition_exception);
 }
 
 TEST_F(Debug_checks_test, a_segmenter_gives_at_least_one_segment)

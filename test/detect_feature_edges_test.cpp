@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
@@ -20,12 +21,11 @@ using RS::Feature_convexity;
 using namespace test;
 
 /// The edges that are detected, over a map that was all true.
-template <typename Parameters>
-std::set<Edge> features(const Soup& soup, const Parameters& np)
+std::set<Edge> features(const Soup& soup, const Feature_options& options)
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
   auto map = edge_map(mesh, std::uint8_t(1));
-  const std::size_t n = RS::detect_feature_edges(mesh, map, np);
+  const std::size_t n = test::detect_feature_edges(mesh, map, options);
   std::set<Edge> result;
   for (const auto& [edge, is_feature] : flags_of(mesh, map))
     if (is_feature)
@@ -36,8 +36,7 @@ std::set<Edge> features(const Soup& soup, const Parameters& np)
 
 std::size_t number_of_features(const Soup& soup, Feature_convexity convexity, double maximum_angle)
 {
-  return features(soup, RS::parameters::feature_convexity(convexity).maximum_angle(maximum_angle))
-    .size();
+  return features(soup, {maximum_angle, convexity}).size();
 }
 
 TEST(Detect_feature_edges_test,
@@ -71,7 +70,7 @@ TEST(Detect_feature_edges_test, defaults_are_concave_and_the_bound_of_the_paper)
   };
   const double bound = 180 - 3.12 * 180 / std::acos(-1.0);
   const std::size_t borders = 6;
-  const auto defaults = RS::parameters::default_values();
+  const Feature_options defaults;
   EXPECT_EQ(features(valley(bound - 1e-6), defaults).size(), borders);
   EXPECT_EQ(features(valley(bound + 1e-6), defaults).size(), borders + 1);
   EXPECT_EQ(features(valley(-bound - 1e-6), defaults).size(), borders) << "a ridge";
@@ -101,13 +100,14 @@ TEST(Detect_feature_edges_test, large_components_are_turned_one_by_one)
              sheet = grid(3, 3);
   ASSERT_GT(large.polygons.size(), RS::internal::block_size);
   for (Feature_convexity convexity : {Feature_convexity::CONVEX, Feature_convexity::CONCAVE}) {
-    const auto np = RS::parameters::feature_convexity(convexity).maximum_angle(2);
-    const auto expected = features(joined(small, large), np);
+    const Feature_options options{2, convexity};
+    const auto expected = features(joined(small, large), options);
     EXPECT_GT(expected.size(), 100u);
-    EXPECT_EQ(features(joined(small, reversed(large)), np), expected);
-    EXPECT_EQ(features(joined(reversed(small), large), np), expected);
-    EXPECT_EQ(features(joined(reversed(small), reversed(large)), np), expected);
-    EXPECT_EQ(features(joined(reversed(large), sheet), np), features(joined(large, sheet), np));
+    EXPECT_EQ(features(joined(small, reversed(large)), options), expected);
+    EXPECT_EQ(features(joined(reversed(small), large), options), expected);
+    EXPECT_EQ(features(joined(reversed(small), reversed(large)), options), expected);
+    EXPECT_EQ(features(joined(reversed(large), sheet), options),
+              features(joined(large, sheet), options));
   }
 }
 
@@ -124,7 +124,7 @@ TEST(Detect_feature_edges_test, the_longest_edge_of_a_cap_tells_that_it_is_degen
     cap.points[corner(2)] = {0.5, 1e-12, 0};
     cap.points[3] = {0.5, -0.5, 0.5};
     cap.polygons = {{corner(0), corner(1), corner(2)}, {corner(1), corner(0), 3}};
-    const auto all = RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(20);
+    const Feature_options all{20, Feature_convexity::ALL};
     EXPECT_EQ(features(cap, all).size(), 4u) << "its borders; turn " << turn;
     cap.points[corner(2)] = {0.5, 3e-12, 0};
     EXPECT_EQ(features(cap, all).size(), 5u) << turn;
@@ -152,9 +152,9 @@ TEST(Detect_feature_edges_test, constraints_that_throw_leave_the_map_as_it_was)
   const Surface_mesh mesh = to_surface_mesh(torus(12, 6));
   std::vector<bool> marks(num_edges(mesh), true);
   const auto map = boost::make_iterator_property_map(marks.begin(), get(boost::edge_index, mesh));
-  EXPECT_THROW(RS::detect_feature_edges(mesh, map,
-                                        RS::parameters::edge_is_constrained_map(
-                                          Throwing_constraints{num_edges(mesh) / 2})),
+  EXPECT_THROW(test::detect_feature_edges(mesh, map, Feature_options(),
+                                          RS::parameters::edge_is_constrained_map(
+                                            Throwing_constraints{num_edges(mesh) / 2})),
                std::runtime_error);
   EXPECT_EQ(std::count(marks.begin(), marks.end(), true), std::ptrdiff_t(marks.size()));
 }
@@ -173,13 +173,13 @@ TEST(Detect_feature_edges_test, far_from_the_origin_edges_are_those_of_the_refer
              reference::read_mesh(mesh.points, mesh.polygons, options)))
         if (is_feature)
           expected.insert(edge);
-      EXPECT_EQ(features(mesh, RS::parameters::maximum_angle(5)), expected);
+      EXPECT_EQ(features(mesh, {5}), expected);
     }
 }
 
 TEST(Detect_feature_edges_test, takes_an_empty_mesh)
 {
-  EXPECT_EQ(features(Soup(), RS::parameters::default_values()).size(), 0u);
+  EXPECT_EQ(features(Soup(), {}).size(), 0u);
 }
 
 // An edge that ends inside a face has that face on both sides.
@@ -206,10 +206,7 @@ TEST(Detect_feature_edges_test, an_edge_inside_a_face_is_no_feature)
   ASSERT_TRUE(mesh.is_valid());
 
   auto map = edge_map(mesh, std::uint8_t(1));
-  EXPECT_EQ(
-    RS::detect_feature_edges(
-      mesh, map, RS::parameters::feature_convexity(Feature_convexity::ALL).maximum_angle(0)),
-    4u);
+  EXPECT_EQ(test::detect_feature_edges(mesh, map, Feature_options{0, Feature_convexity::ALL}), 4u);
   EXPECT_FALSE(get(map, mesh.edge(spike)));
 }
 

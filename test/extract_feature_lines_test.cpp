@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
@@ -26,13 +27,14 @@ struct Lines
 };
 
 template <typename Parameters>
-Lines extract(const Soup& soup, const std::set<Edge>& features, const Parameters& np)
+Lines extract(const Soup& soup, const std::set<Edge>& features, const Parameters& np,
+              std::size_t minimum_length = std::size_t(-1))
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
   auto map = edge_map(mesh, features);
   std::vector<std::vector<Surface_mesh::Vertex_index>> polylines;
   Lines result;
-  RS::extract_feature_lines(mesh, map, std::back_inserter(polylines), np);
+  test::extract_feature_lines(mesh, map, std::back_inserter(polylines), minimum_length, np);
   for (const auto& [edge, is_feature] : flags_of(mesh, map))
     if (is_feature)
       result.features.insert(edge);
@@ -102,7 +104,7 @@ TEST(Extract_feature_lines_test, short_lines_go_at_once)
   //           |
   //     5--6--7--8
   const std::set<Edge> features = {{5, 6}, {6, 7}, {7, 8}, {7, 12}};
-  EXPECT_EQ(extract(sheet, features, RS::parameters::minimum_length(std::size_t(2))).features,
+  EXPECT_EQ(extract(sheet, features, RS::parameters::default_values(), 2).features,
             both(borders(sheet), {{5, 6}, {6, 7}}));
 }
 
@@ -147,7 +149,7 @@ Labels regions(const Soup& soup, const std::set<Edge>& features, const std::set<
   const Surface_mesh mesh = to_surface_mesh(soup);
   auto feature_map = edge_map(mesh, features);
   auto region_map = face_map(mesh);
-  RS::grow_regions(
+  test::grow_regions(
     mesh, feature_map, region_map,
     RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   return labels_of(mesh, region_map);
@@ -179,7 +181,7 @@ TEST(Extract_feature_lines_test, an_edge_of_three_faces_is_a_line)
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0.5}, {0, 0, 1}};
   const std::vector<Polygon> pages = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
   const RS::Surface surface = RS::make_surface_of_polygon_soup(points, pages);
-  auto is_feature = RS::mark_feature_edges(surface, 1, RS::Feature_convexity::ALL);
+  auto is_feature = RS::detect_feature_edges(surface, 1, RS::Feature_convexity::ALL);
   std::vector<std::vector<RS::Surface::Index>> lines;
   RS::extract_feature_lines(surface, is_feature, std::back_inserter(lines));
   EXPECT_EQ(lines.size(), 4u) << "the borders of the pages, and their common edge";

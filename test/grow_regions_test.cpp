@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
@@ -32,7 +33,7 @@ Regions grow(const Soup& soup, const std::set<Edge>& features,
   auto feature_map = edge_map(mesh, features);
   auto region_map = face_map(mesh);
   Regions result;
-  result.n = RS::grow_regions(
+  result.n = test::grow_regions(
     mesh, feature_map, region_map,
     RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   result.labels = labels_of(mesh, region_map);
@@ -53,15 +54,15 @@ TEST(Grow_regions_test, borders_that_coincide_are_edges)
     const Surface_mesh mesh = to_surface_mesh(soup);
     auto is_feature = edge_map(mesh);
     auto region_map = face_map(mesh), regions_of_method = face_map(mesh);
-    RS::detect_feature_edges(mesh, is_feature);
-    EXPECT_EQ(RS::grow_regions(mesh, is_feature, region_map), number);
+    test::detect_feature_edges(mesh, is_feature);
+    EXPECT_EQ(test::grow_regions(mesh, is_feature, region_map), number);
     RS::segment(
       mesh, face_map(mesh),
       RS::parameters::number_of_segments(1).method(RS::Two_step()).region_map(regions_of_method));
     EXPECT_EQ(labels_of(mesh, region_map), labels_of(mesh, regions_of_method));
     const auto apart = RS::parameters::component_links(false);
-    RS::detect_feature_edges(mesh, is_feature, apart);
-    EXPECT_EQ(RS::grow_regions(mesh, is_feature, region_map, apart), 2u);
+    test::detect_feature_edges(mesh, is_feature, Feature_options(), apart);
+    EXPECT_EQ(test::grow_regions(mesh, is_feature, region_map, apart), 2u);
   }
 }
 
@@ -195,7 +196,7 @@ TEST(Grow_regions_test, one_of_two_coinciding_edges_can_be_the_feature)
   const Surface_mesh mesh = to_surface_mesh(soup);
   for (const std::set<Edge>& features : {std::set<Edge>{}, {{0, 1}}, {{3, 4}}}) {
     auto is_feature = edge_map(mesh, features);
-    EXPECT_EQ(RS::grow_regions(mesh, is_feature, face_map(mesh)), features.empty() ? 1u : 2u);
+    EXPECT_EQ(test::grow_regions(mesh, is_feature, face_map(mesh)), features.empty() ? 1u : 2u);
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
@@ -110,11 +111,11 @@ Result run_stages(const Mesh& mesh, const Options& options)
   Result result;
   auto features = edge_map(mesh, std::uint8_t(1));
   auto regions = face_map(mesh);
-  RS::detect_feature_edges(mesh, features, options.named_features());
-  RS::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
-  RS::grow_regions(mesh, features, regions);
-  auto graph = RS::build_region_adjacency_graph(mesh, regions,
-                                                RS::parameters::component_links(false));
+  const auto apart = RS::parameters::component_links(false);
+  test::detect_feature_edges(mesh, features, options.features(), apart);
+  test::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
+  test::grow_regions(mesh, features, regions);
+  auto graph = test::build_region_adjacency_graph(mesh, regions, apart);
   const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
     {RS::Smallest_region_first(), 2 * options.k}, {RS::Least_compact_region_first(), options.k}};
   result.tree = RS::merge_regions(graph, steps, options.k);

@@ -7,13 +7,12 @@
 
 #include "meshes.h"
 #include "reference_two_step.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Two_step/Two_step.h>
-#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -245,13 +244,7 @@ struct Options : reference::Two_step_options
       .component_links(false);
   }
 
-  /// Of detect_feature_edges().
-  auto named_features() const
-  {
-    return CGAL::Region_segmentation::parameters::maximum_angle(maximum_angle)
-      .feature_convexity(feature_convexity())
-      .component_links(false);
-  }
+  Feature_options features() const { return {maximum_angle, feature_convexity()}; }
 };
 
 /// The method of the paper, and its feature edges by the stage functions. `with(np)` adds to a pack
@@ -263,8 +256,9 @@ Result run(const Mesh& mesh, const Options& options, const With& with)
   Result result = run(mesh, with(options.named()));
   auto features = edge_map(mesh, std::uint8_t(1));
   auto regions = face_map(mesh);
-  RS::detect_feature_edges(mesh, features, with(options.named_features()));
-  RS::grow_regions(mesh, features, regions, with(RS::parameters::component_links(false)));
+  const auto np = with(RS::parameters::component_links(false));
+  test::detect_feature_edges(mesh, features, options.features(), np);
+  test::grow_regions(mesh, features, regions, np);
   EXPECT_EQ(labels_of(mesh, regions), result.regions) << "the stages and segment() differ";
   result.features = flags_of(mesh, features);
   return result;

@@ -3,6 +3,7 @@
 // Parallel_tag gives the same bits as Sequential_tag.
 
 #include "meshes.h"
+#include "stages.h"
 
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
@@ -68,9 +69,8 @@ std::vector<bool> features(const Surface_mesh& mesh, RS::Feature_convexity conve
   std::vector<bool> result(num_edges(mesh));
   std::vector<std::size_t> regions;
   const auto map = boost::make_iterator_property_map(result.begin(), get(boost::edge_index, mesh));
-  RS::detect_feature_edges<ConcurrencyTag>(
-    mesh, map, RS::parameters::maximum_angle(3).feature_convexity(convexity));
-  RS::grow_regions<ConcurrencyTag>(mesh, map, by_face(mesh, regions));
+  test::detect_feature_edges<ConcurrencyTag>(mesh, map, test::Feature_options{3, convexity});
+  test::grow_regions<ConcurrencyTag>(mesh, map, by_face(mesh, regions));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Support/version.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -15,6 +16,8 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 
 namespace parameters_test {
@@ -44,34 +47,19 @@ TEST(Parameters_test, chain_in_any_order)
   }
 }
 
-TEST(Parameters_test, parameters_of_stages_chain_in_any_order)
+/// The feature edges of valleys above 30 degrees, of the surface that parameters make.
+template <typename Parameters>
+std::size_t number_of_valleys(const Surface_mesh& mesh, const Parameters& np)
 {
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto points = get(CGAL::vertex_point, mesh);
-  const auto concave = RS::Feature_convexity::CONCAVE;
-  auto map = edge_map(mesh);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(30)),
-            8u);
-  EXPECT_EQ(RS::detect_feature_edges(
-              mesh, map, RP::maximum_angle(30).vertex_point_map(points).feature_convexity(concave)),
-            8u);
-  EXPECT_EQ(
-    RS::detect_feature_edges(
-      mesh, map, RP::vertex_point_map(points).feature_convexity(concave).maximum_angle(30.0f)),
-    8u);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::feature_convexity(concave).maximum_angle(120)),
-            0u);
+  const auto marks = RS::detect_feature_edges(RS::make_surface(mesh, np), 30);
+  return std::size_t(std::count(marks.begin(), marks.end(), 1));
 }
 
 TEST(Parameters_test, packs_of_cgal_are_taken)
 {
   const Surface_mesh mesh = to_surface_mesh(l_shape());
-  auto map = edge_map(mesh);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, CGAL::parameters::maximum_angle(30)), 1u);
-  EXPECT_EQ(RS::detect_feature_edges(
-              mesh, map,
-              CGAL::parameters::vertex_point_map(get(CGAL::vertex_point, mesh)).maximum_angle(120)),
-            0u);
+  const auto points = get(CGAL::vertex_point, mesh);
+  EXPECT_EQ(number_of_valleys(mesh, CGAL::parameters::vertex_point_map(points)), 1u);
 }
 
 TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
@@ -96,11 +84,8 @@ TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
     [&](Surface_mesh::Vertex_index v) {
       return Kernel::Point_3(mesh.point(v).x(), mesh.point(v).y(), 0);
     });
-  const auto pack = RP::feature_convexity(RS::Feature_convexity::CONCAVE).maximum_angle(30);
-  auto map = edge_map(mesh);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, pack), 8u);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, pack.vertex_point_map(flat)), 0u);
-  EXPECT_EQ(RS::detect_feature_edges(mesh, map, RP::vertex_point_map(flat).maximum_angle(30)), 0u);
+  EXPECT_EQ(number_of_valleys(mesh, RP::component_links(false)), 8u);
+  EXPECT_EQ(number_of_valleys(mesh, RP::component_links(false).vertex_point_map(flat)), 0u);
 }
 
 TEST(Version_test, the_number_and_the_text_say_the_same)

@@ -6,8 +6,6 @@
 #include "oracles.h"
 #include "reference_two_step.h"
 
-#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <CGAL/iterator.h>
@@ -120,15 +118,13 @@ TEST_P(Reference_test, gives_the_same_features_and_lines)
     const Surface_mesh mesh = to_surface_mesh(soup);
     const auto constrained = edge_map(mesh, options.constrained_edges);
     auto is_feature = edge_map(mesh, std::uint8_t(1));
-    const std::size_t n = RS::detect_feature_edges(
-      mesh, is_feature, options.named_features().edge_is_constrained_map(constrained));
+    const auto np = RS::parameters::component_links(false).edge_is_constrained_map(constrained);
+    const std::size_t n = test::detect_feature_edges(mesh, is_feature, options.features(), np);
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_detected);
     EXPECT_EQ(n, count(expected.is_feature_detected));
 
-    RS::extract_feature_lines(mesh, is_feature, CGAL::Emptyset_iterator(),
-                              RS::parameters::minimum_length(options.minimum_length)
-                                .component_links(false)
-                                .edge_is_constrained_map(constrained));
+    test::extract_feature_lines(mesh, is_feature, CGAL::Emptyset_iterator(), options.minimum_length,
+                                np);
     ASSERT_EQ(flags_of(mesh, is_feature), expected.is_feature_pruned);
   }
 }

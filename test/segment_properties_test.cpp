@@ -4,6 +4,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 #include "user_method.h"
 
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
@@ -425,11 +426,11 @@ TEST(Bad_input_test, a_point_that_is_not_finite_is_named)
         EXPECT_NE(std::string(e.what()).find("vertex 7 "), std::string::npos) << e.what();
       }
       outputs.expect_untouched();
-      EXPECT_THROW(RS::detect_feature_edges(mesh, outputs.features), RS::Invalid_input);
-      EXPECT_THROW(RS::extract_feature_lines(mesh, outputs.features, CGAL::Emptyset_iterator()),
+      EXPECT_THROW(test::detect_feature_edges(mesh, outputs.features), RS::Invalid_input);
+      EXPECT_THROW(test::extract_feature_lines(mesh, outputs.features, CGAL::Emptyset_iterator()),
                    RS::Invalid_input);
-      EXPECT_THROW(RS::grow_regions(mesh, outputs.features, outputs.regions), RS::Invalid_input);
-      EXPECT_THROW(RS::build_region_adjacency_graph(mesh, face_map(mesh, 0)), RS::Invalid_input);
+      EXPECT_THROW(test::grow_regions(mesh, outputs.features, outputs.regions), RS::Invalid_input);
+      EXPECT_THROW(test::build_region_adjacency_graph(mesh, face_map(mesh, 0)), RS::Invalid_input);
       outputs.expect_untouched();
     }
 }
@@ -517,11 +518,12 @@ TEST(Visitor_test, sees_the_stages_of_stage_functions)
   Outputs outputs(mesh);
   using Stages = std::vector<std::string>;
   Visitor detecting, growing, building;
-  RS::detect_feature_edges(mesh, outputs.features, RP::visitor(std::ref(detecting)));
+  test::detect_feature_edges(mesh, outputs.features, Feature_options(),
+                             RP::visitor(std::ref(detecting)));
   EXPECT_EQ(stages_of(detecting), (Stages{"reading", "features"}));
-  RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(growing)));
+  test::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(growing)));
   EXPECT_EQ(stages_of(growing), (Stages{"reading", "regions"}));
-  RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(building)));
+  test::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(building)));
   EXPECT_EQ(stages_of(building), (Stages{"reading", "graph"}));
 }
 
@@ -564,15 +566,16 @@ TEST(Visitor_test, can_cancel_stage_functions_and_nothing_is_written)
     Visitor visitor;
     visitor.cancel_at = i;
     Outputs outputs(mesh);
-    EXPECT_THROW(RS::detect_feature_edges(mesh, outputs.features, RP::visitor(std::ref(visitor))),
+    EXPECT_THROW(test::detect_feature_edges(mesh, outputs.features, Feature_options(),
+                                            RP::visitor(std::ref(visitor))),
                  RS::Segmentation_cancelled);
     visitor.calls.clear();
     EXPECT_THROW(
-      RS::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
+      test::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
       RS::Segmentation_cancelled);
     visitor.calls.clear();
     EXPECT_THROW(
-      RS::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
+      test::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
       RS::Segmentation_cancelled);
     outputs.expect_untouched();
   }

@@ -7,6 +7,8 @@
 
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/region_segmentation.h>
 
 #include <algorithm>
@@ -38,8 +40,9 @@ int main(int argc, char** argv)
   const auto middle = [](const std::vector<Point>& p) {
     return CGAL::centroid(p.begin(), p.end(), CGAL::Dimension_tag<0>());
   };
-  const auto graph = RS::build_region_adjacency_graph(mesh, segment_id,
-                                                      RS::parameters::component_links(false));
+  const auto graph = RS::build_region_adjacency_graph(
+    RS::make_surface(mesh, RS::parameters::component_links(false)),
+    RS::Partition::from_labels(RS::face_values(mesh, segment_id)));
   std::ofstream out("skeleton.polylines.txt");
   for (auto s : CGAL::make_range(edges(graph))) {
     const auto [a, b] = std::minmax<std::size_t>({source(s, graph), target(s, graph)});

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/merge_regions.h>
 #include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Region_segmentation/Surface/edge_values.h>
 #include <CGAL/Region_segmentation/Surface/face_values.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>

@@ -23,6 +23,8 @@ namespace RS = CGAL::Region_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 using Graph = RS::Region_adjacency_graph<>;
+using Visibility_graph = RS::Region_adjacency_graph<RS::Visibility_region_data,
+                                                    RS::Visibility_section_data>;
 
 // expect: the constraints of polygons are a range of pairs of indices of points
 namespace constraints_of_polygons {
@@ -42,14 +44,12 @@ void test(const Points& points, const std::vector<std::vector<int>>& polygons,
 // expect: the SectionCost names RegionData or SectionData that are not those of the graph
 namespace cost_without_its_data {
 // A cost that reads the data of another graph.
-void test(const Mesh& mesh, Labels labels)
-{
 #ifdef WITH_FAULT
-  auto graph = RS::build_region_adjacency_graph(mesh, labels);
+void test(Graph& graph)
 #else
-  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
-                                                RS::Visibility_section_data>(mesh, labels);
+void test(Visibility_graph& graph)
 #endif
+{
   RS::merge_regions(graph, RS::Lowest_cost_first<RS::Visibility_cost>(), 3);
 }
 } // namespace cost_without_its_data
@@ -173,7 +173,7 @@ namespace parameter_of_a_part {
 void test(const Mesh& mesh, Labels labels)
 {
 #ifdef WITH_FAULT
-  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).maximum_angle(5));
+  RS::segment(mesh, labels, RS::parameters::number_of_segments(3).clearance(5));
 #else
   RS::Two_step method;
   method.maximum_angle = 5;

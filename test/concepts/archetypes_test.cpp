@@ -6,6 +6,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "stages.h"
 
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
@@ -219,7 +220,8 @@ Graph graph_of_cube()
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, i++);
-  return RS::build_region_adjacency_graph<Region_data_archetype, Section_data_archetype>(mesh, map);
+  return test::build_region_adjacency_graph<Region_data_archetype, Section_data_archetype>(mesh,
+                                                                                           map);
 }
 
 TEST(Archetypes_test, data)

@@ -3,6 +3,7 @@
 // Every function that takes a face graph, on models of the concepts that it names alone.
 
 #include "concepts/Face_graph_archetype.h"
+#include "stages.h"
 
 #include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 #include <CGAL/Region_segmentation/Evaluation/labels.h>
@@ -62,9 +63,9 @@ TEST(Graph_archetypes_test, of_faces_halfedges_and_vertices)
                                 a.maps().face_seed_map(Values<Face, int>(number_of_faces, -1)));
   EXPECT_EQ(segmenter.segment(a.segments, 3), 3u);
   EXPECT_EQ(RS::make_surface(a.graph, a.maps()).number_of_faces(), number_of_faces);
-  EXPECT_GT(RS::detect_feature_edges(a.graph, a.marks, a.maps()), 0u);
-  EXPECT_EQ(RS::grow_regions(a.graph, a.marks, a.others, a.maps()), 3u);
-  EXPECT_EQ(RS::build_region_adjacency_graph(a.graph, a.segments, a.maps()).number_of_regions(),
+  EXPECT_GT(test::detect_feature_edges(a.graph, a.marks, test::Feature_options(), a.maps()), 0u);
+  EXPECT_EQ(test::grow_regions(a.graph, a.marks, a.others, a.maps()), 3u);
+  EXPECT_EQ(test::build_region_adjacency_graph(a.graph, a.segments, a.maps()).number_of_regions(),
             3u);
   RS::smooth_borders(a.graph, a.others, {}, a.maps());
   EXPECT_EQ(RS::face_values(a.graph, a.segments).size(), number_of_faces);
@@ -108,17 +109,18 @@ TEST(Graph_archetypes_test, of_faces_halfedges_and_vertices)
 TEST(Graph_archetypes_test, of_edges_where_edge_maps_are_read_or_written)
 {
   Archetypes<Graph_with_edges> a;
-  EXPECT_GT(RS::detect_feature_edges(a.graph, a.marks, a.maps()), 0u);
+  EXPECT_GT(test::detect_feature_edges(a.graph, a.marks, test::Feature_options(), a.maps()), 0u);
   const auto with_marks = a.maps().edge_is_constrained_map(a.marks);
   EXPECT_EQ(RS::segment(a.graph, a.segments, with_marks.number_of_segments(1)), 3u);
   RS::Segmenter segmenter(a.graph, with_marks);
   segmenter.add_constraints(a.marks, a.maps());
   EXPECT_EQ(segmenter.segment(a.segments, 1), 3u);
   RS::smooth_borders(a.graph, a.segments, {}, with_marks);
-  EXPECT_EQ(RS::build_region_adjacency_graph(a.graph, a.segments, with_marks).number_of_regions(),
+  EXPECT_EQ(test::build_region_adjacency_graph(a.graph, a.segments, with_marks).number_of_regions(),
             3u);
   std::vector<std::vector<Vertex>> lines;
-  RS::extract_feature_lines(a.graph, a.marks, std::back_inserter(lines), a.maps());
+  test::extract_feature_lines(a.graph, a.marks, std::back_inserter(lines), std::size_t(-1),
+                              a.maps());
   EXPECT_FALSE(lines.empty());
   EXPECT_GT(RS::mark_segment_borders(a.graph, a.segments, a.marks), 0u);
 }

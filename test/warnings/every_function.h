@@ -103,16 +103,17 @@ void use_polygons()
 template <typename Mesh>
 void use_stages(const Mesh& mesh)
 {
-  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
   auto features = get(CGAL::dynamic_edge_property_t<std::uint8_t>(), mesh);
   auto regions = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
-  RS::detect_feature_edges(
-    mesh, features,
-    RS::parameters::maximum_angle(20.).feature_convexity(RS::Feature_convexity::ALL));
-  std::vector<std::vector<Vertex>> lines;
-  RS::extract_feature_lines(mesh, features, std::back_inserter(lines));
-  RS::grow_regions(mesh, features, regions);
-  auto graph = RS::build_region_adjacency_graph(mesh, regions);
+  const RS::Surface surface = RS::make_surface(mesh);
+  auto marks = RS::detect_feature_edges(surface, 20, RS::Feature_convexity::ALL);
+  std::vector<std::vector<RS::Surface::Index>> lines;
+  RS::extract_feature_lines(surface, marks, std::back_inserter(lines));
+  RS::write_edge_values(mesh, surface, marks, features);
+  const RS::Partition partition = RS::grow_regions(surface,
+                                                   RS::edge_values(mesh, surface, features));
+  RS::write_face_values(mesh, partition, regions);
+  auto graph = RS::build_region_adjacency_graph(surface, partition);
   RS::merge_regions(graph, RS::Smallest_region_first(), 2);
   RS::smooth_borders(mesh, regions);
   RS::write_face_values(mesh, RS::face_values(mesh, regions), regions);

@@ -18,7 +18,7 @@ What a method reads and returns:
 | `surface.length(a)`, `deviation(a)`, `has_flag(a, Surface::CONCAVE)` | of an adjacency; the length of a link is that of the contact, 0 between components that are apart |
 | `surface.has_flag(a, Surface::SEAM \| Surface::LINK)` | whether it is a seam or a link; `deviation(a)` is 0 at a link and at a degenerate face |
 | `surface.has_flag(a, Surface::CONSTRAINED)` | whether it is constrained: first regions do not cross it |
-| `grow_regions(surface, mark_feature_edges(surface, 30))`, `Superfacets()(surface, patches)` | first regions, which no link joins |
+| `grow_regions(surface, detect_feature_edges(surface, 30))`, `Superfacets()(surface, patches)` | first regions, which no link joins |
 | `requested_regions()`, `merge_requested_regions()` | in the headers of these names; merged down to 1 there is a tree for all numbers |
 | `Number_below_cost()(tree, surface)` and the like | a number where none is requested |
 | `Partition::from_labels(labels)` | a partition of the faces by any labels, numbered by first faces |

@@ -13,7 +13,7 @@ public:
   "reading", "regions", "rays", "draws", "graph", "merging", "borders", as far as the method has them:
   the methods on superfacets merge their draws in "draws", and again in "merging" where there are
   seeds.
-  `detect_feature_edges()` has "features" after "reading", `smooth_borders()` has "borders".
+  `smooth_borders()` has "reading" and "borders".
   `fraction` is in [0, 1] and does not decrease within a stage.
 
   \returns false to end the run by `CGAL::Region_segmentation::Segmentation_cancelled`; no map is

@@ -312,22 +312,18 @@ std::vector<Polyline> Segmentation_details::feature_lines() const
   if (!features)
     return {};
   const Mesh& m = manifold().mesh;
-  std::vector<char> marks(m.number_of_edges());
-  const auto is_feature = boost::make_iterator_property_map(marks.begin(),
-                                                            get(boost::edge_index, m));
-  std::vector<std::size_t> regions(m.number_of_faces());
-  RS::detect_feature_edges(
-    m, is_feature,
-    RS::parameters::maximum_angle(features->maximum_angle).feature_convexity(features->convexity));
-  RS::grow_regions(m, is_feature,
-                   boost::make_iterator_property_map(regions.begin(), get(boost::face_index, m)));
+  const RS::Surface surface = RS::make_surface(m);
+  auto is_feature = RS::detect_feature_edges(surface, features->maximum_angle, features->convexity);
+  const RS::Partition regions = RS::grow_regions(surface, is_feature);
+  for (std::size_t a = 0; a < is_feature.size(); ++a)
+    is_feature[a] &= regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
 
-  std::vector<std::vector<CGAL::SM_Vertex_index>> lines;
-  RS::extract_feature_lines(m, is_feature, std::back_inserter(lines));
+  std::vector<std::vector<RS::Surface::Index>> lines;
+  RS::extract_feature_lines(surface, is_feature, std::back_inserter(lines));
   std::vector<Polyline> result;
   for (const auto& line : lines) {
     result.emplace_back();
-    for (const auto v : line)
+    for (const RS::Surface::Index v : line)
       result.back().push_back(manifold().point_of_mesh_point[v]);
   }
   return result;

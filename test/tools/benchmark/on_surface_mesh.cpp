@@ -4,6 +4,9 @@
 #include "cgal_methods.h"
 #include "run_on_mesh.h"
 
+#include <CGAL/Region_segmentation/Surface/edge_values.h>
+#include <CGAL/Region_segmentation/Surface/face_values.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/Two_step/grow_regions.h>
@@ -75,18 +78,28 @@ public:
   }
   void feature_lines() override
   {
-    detect_feature_edges();
-    RS::extract_feature_lines(m_mesh, edge_marks(), CGAL::Emptyset_iterator());
+    const RS::Surface surface = RS::make_surface(m_mesh);
+    auto marks = RS::detect_feature_edges(surface);
+    RS::extract_feature_lines(surface, marks, CGAL::Emptyset_iterator());
+    RS::write_edge_values(m_mesh, surface, marks, edge_marks());
   }
-  void detect_feature_edges() override { RS::detect_feature_edges(m_mesh, edge_marks()); }
-  void detect_all_feature_edges() override
+  void detect_feature_edges() override { detect(RS::Feature_convexity::CONCAVE); }
+  void detect_all_feature_edges() override { detect(RS::Feature_convexity::ALL); }
+  void grow_regions() override
   {
-    RS::detect_feature_edges(m_mesh, edge_marks(),
-                             RS::parameters::feature_convexity(RS::Feature_convexity::ALL));
+    const RS::Surface surface = RS::make_surface(m_mesh);
+    RS::write_face_values(m_mesh,
+                          RS::grow_regions(surface, RS::edge_values(m_mesh, surface, edge_marks())),
+                          face_map(m_face_numbers));
   }
-  void grow_regions() override { RS::grow_regions(m_mesh, edge_marks(), face_map(m_face_numbers)); }
 
 private:
+  void detect(RS::Feature_convexity convexity)
+  {
+    const RS::Surface surface = RS::make_surface(m_mesh);
+    const auto marks = RS::detect_feature_edges(surface, RS::default_maximum_angle, convexity);
+    RS::write_edge_values(m_mesh, surface, marks, edge_marks());
+  }
   /// CGAL does not.
   void clear_edge_marks() { std::fill(m_edge_marks.begin(), m_edge_marks.end(), std::uint8_t(0)); }
 

@@ -27,7 +27,6 @@
   ADD(face_seed_map_t, face_seed_map)                                                              \
   ADD(component_links_t, component_links)                                                          \
   ADD(constrained_edges_t, constrained_edges)                                                      \
-  ADD(feature_convexity_t, feature_convexity)                                                      \
   ADD(region_map_t, region_map)                                                                    \
   ADD(clearance_t, clearance)
 

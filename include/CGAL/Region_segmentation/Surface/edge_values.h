@@ -19,19 +19,18 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Calls `f(edge, adjacency)` for the edges of a mesh and their adjacencies in its surface;
+/// Calls `f(edge, adjacency)` for the sides of the faces of a mesh, in order: twice for an edge
+/// between two faces, once for a border edge. The adjacency is that in the surface of the mesh;
 /// `Surface::none` for an edge on the border of the surface, and for one with the same face on both
 /// sides.
 template <typename FaceGraph, typename F>
-void for_each_edge(const FaceGraph& mesh, const Surface& surface, const F& f)
+void for_each_side_of_mesh(const FaceGraph& mesh, const Surface& surface, const F& f)
 {
   std::size_t face_index = 0;
   for (const auto face : faces(mesh)) {
     std::size_t i = 0;
     for (const auto h : CGAL::halfedges_around_face(halfedge(face, mesh), mesh)) {
-      const auto e = edge(h, mesh);
-      if (h == halfedge(e, mesh) || CGAL::is_border(opposite(h, mesh), mesh))
-        f(e, surface.adjacency_in_mesh(face_index, i));
+      f(edge(h, mesh), surface.adjacency_in_mesh(face_index, i));
       ++i;
     }
     ++face_index;
@@ -57,7 +56,7 @@ std::vector<std::uint8_t> edge_values(const FaceGraph& mesh, const Surface& surf
 {
   static_assert(internal::check_edge_map<EdgeMap, FaceGraph>());
   std::vector<std::uint8_t> marks(surface.number_of_adjacencies());
-  internal::for_each_edge(mesh, surface, [&](const auto& e, Surface::Index a) {
+  internal::for_each_side_of_mesh(mesh, surface, [&](const auto& e, Surface::Index a) {
     if (a != Surface::none)
       marks[a] |= bool(get(map, e));
   });
@@ -84,14 +83,15 @@ std::size_t write_edge_values(const FaceGraph& mesh, const Surface& surface,
 {
   static_assert(internal::check_edge_map<EdgeMap, FaceGraph>());
   using Value = typename boost::property_traits<EdgeMap>::value_type;
-  std::size_t number = 0;
-  internal::for_each_edge(mesh, surface, [&](const auto& e, Surface::Index a) {
+  std::size_t number_of_sides = 0;
+  internal::for_each_side_of_mesh(mesh, surface, [&](const auto& e, Surface::Index a) {
     const bool is_true = a == Surface::none ? CGAL::is_border(e, mesh)
                                             : marks[a] || surface.has_flag(a, Surface::CONSTRAINED);
     put(map, e, Value(is_true));
-    number += is_true;
+    if (is_true) // the edge is visited from each of its faces
+      number_of_sides += CGAL::is_border(e, mesh) ? 2 : 1;
   });
-  return number;
+  return number_of_sides / 2;
 }
 
 } // namespace Region_segmentation

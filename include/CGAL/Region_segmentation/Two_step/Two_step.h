@@ -57,7 +57,7 @@ struct Two_step
     internal::check_constant("Two_step: gamma", gamma, 0, 1);
     internal::check_constant("Two_step: factor", factor, 1);
     const Execution stage = execution.stage("regions");
-    const std::vector<std::uint8_t> is_feature = mark_feature_edges(
+    const std::vector<std::uint8_t> is_feature = detect_feature_edges(
       surface, maximum_angle, feature_convexity, stage.step(0, 0.5));
     return {grow_regions(surface, is_feature, stage.step(0.5, 1))};
   }

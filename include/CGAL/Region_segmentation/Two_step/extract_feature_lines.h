@@ -3,14 +3,9 @@
 #ifndef CGAL_REGION_SEGMENTATION_TWO_STEP_EXTRACT_FEATURE_LINES_H
 #define CGAL_REGION_SEGMENTATION_TWO_STEP_EXTRACT_FEATURE_LINES_H
 
-#include <CGAL/Region_segmentation/Support/Execution.h>
-#include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
-#include <CGAL/Region_segmentation/Surface/edge_values.h>
-#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
-#include <CGAL/tags.h>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -154,21 +149,35 @@ struct Polyline_collector
   }
 };
 
-using Feature_line_parameters = Tag_list<
-  CGAL::internal_np::minimum_length_t, internal_np::component_links_t,
-  CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::visitor_t>;
-
 } // namespace internal
 
 /// \ingroup PkgRegionSegmentationStages
-/// removes the feature lines of a surface that end inside it, and outputs those that remain. See
-/// the function for a face graph below.
+/// removes the feature lines of a surface that end inside it, and outputs those that remain.
 ///
+/// A *feature line* is a maximal chain of feature edges between vertices where the number of
+/// feature edges is not 2, or a closed chain. Borders of the surface and constrained edges are
+/// feature edges, too, and are never removed. A line with an end without another feature edge
+/// separates nothing: all such lines are removed at once, repeatedly until there is none. Growing
+/// gives the same regions before and after; to this end, a line may also end at an edge of a
+/// degenerate face that growing does not cross.
+///
+/// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
+///         `std::vector<Surface::Index>`
 /// \param surface the surface
-/// \param is_feature by adjacency: 1 for a feature edge, or 0; those of removed lines become 0
-/// \param polylines takes `std::vector<Surface::Index>`: the vertices of a line
-/// \param minimum_length lines of at least this number of edges are kept
+/// \param is_feature by adjacency: 1 for a feature edge, or 0, see `detect_feature_edges()`. Those
+///        of removed lines become 0, those of constrained edges 1
+/// \param polylines receives the vertices of every line, by their number in the mesh; a closed line
+///        ends with its first vertex. Of vertices with equal points along coinciding borders the
+///        first one stands for all
+/// \param minimum_length lines of at least this number of edges are kept, although they end inside
+///        the surface
 /// \returns the output iterator
+/// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
+///       feature edges
+///
+/// Complexity: O(F). Deterministic.
+///
+/// Source: \cgalCite{YZWLL14}, section 3.1.
 template <typename PolylineOutputIterator>
 PolylineOutputIterator
 extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feature,
@@ -185,98 +194,6 @@ extract_feature_lines(const Surface& surface, std::vector<std::uint8_t>& is_feat
   internal::Polyline_collector<PolylineOutputIterator> collector{graph, polylines};
   CGAL::split_graph_into_polylines(graph, collector);
   return collector.output;
-}
-
-/// \ingroup PkgRegionSegmentationStages
-/// removes the feature lines that end inside the surface, and outputs those that remain.
-///
-/// A *feature line* is a maximal chain of feature edges between vertices where the number of
-/// feature edges is not 2, or a closed chain. A line with an end without another feature edge
-/// separates nothing: all such lines are removed at once, repeatedly until there is none. Growing
-/// gives the same regions before and after; to this end, a line may also end at an edge of a
-/// degenerate face that growing does not cross.
-///
-/// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`; see `segment()`
-/// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of
-///         `EdgeListGraph` where there is an `edge_is_constrained_map`
-/// \tparam EdgeIsFeatureMap a model of `ReadWritePropertyMap` with the edge descriptor as key and a
-///         value type convertible to and constructible from `bool`
-/// \tparam PolylineOutputIterator a model of `OutputIterator` that takes
-///         `std::vector<vertex_descriptor>`
-/// \param mesh an oriented 2-manifold with or without boundary
-/// \param edge_is_feature_map the feature edges; every key is written. Borders of the
-///        surface are always feature edges
-/// \param polylines receives the vertices of every line; a closed one ends with its first vertex.
-/// Of
-///        vertices with equal points along coinciding borders the first one stands for all
-/// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{minimum_length}
-///     \cgalParamDescription{lines of at least this number of edges are kept, although they end
-///       inside the surface}
-///     \cgalParamType{an integral type}
-///     \cgalParamDefault{no line is that long}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{feature edges that are never removed}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
-///       value type convertible to `bool`}
-///     \cgalParamDefault{no edge}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{component_links}
-///     \cgalParamDescription{whether border edges with equal end points are one edge; other links
-///       have no effect here}
-///     \cgalParamType{`bool`}
-///     \cgalParamDefault{`true`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{follows the progress, and can cancel: stages "reading"}
-///     \cgalParamType{a model of `SegmentationVisitor`}
-///     \cgalParamDefault{none}
-///     \cgalParamExtra{passed by `std::ref()`}
-///   \cgalParamNEnd
-///   \cgalParamVertexPointMap
-///   \cgalParamIndexMap{face}
-///   \cgalParamIndexMap{vertex}
-/// \cgalNamedParamsEnd
-///
-/// \returns the output iterator
-/// \post every remaining line that is shorter than `minimum_length` is closed or ends at other
-///       feature edges
-/// \throws Invalid_input if a point is not finite, Segmentation_cancelled if the visitor cancels;
-///         the map is unchanged
-///
-/// Complexity: O(F). Deterministic. Concurrent calls on different maps are safe.
-///
-/// Source: \cgalCite{YZWLL14}, section 3.1.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename FaceGraph,
-          typename EdgeIsFeatureMap, typename PolylineOutputIterator,
-          typename NamedParameters = parameters::Default_named_parameters>
-PolylineOutputIterator
-extract_feature_lines(const FaceGraph& mesh, EdgeIsFeatureMap edge_is_feature_map,
-                      PolylineOutputIterator polylines,
-                      const NamedParameters& np = parameters::default_values())
-{
-  const auto& pack = internal::pack(np);
-  internal::check_parameters<std::decay_t<decltype(pack)>, internal::Feature_line_parameters>();
-  const std::size_t minimum_length = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(pack, CGAL::internal_np::minimum_length),
-    (std::numeric_limits<std::size_t>::max)());
-  const Surface surface = internal::make_surface_with_sides(
-    mesh, pack, internal::make_execution<ConcurrencyTag>(pack));
-  std::vector<std::uint8_t> is_feature = edge_values(mesh, surface, edge_is_feature_map);
-  std::vector<std::vector<Surface::Index>> lines;
-  extract_feature_lines(surface, is_feature, std::back_inserter(lines), minimum_length);
-
-  write_edge_values(mesh, surface, is_feature, edge_is_feature_map);
-  for (const std::vector<Surface::Index>& line : lines) {
-    std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> polyline;
-    for (const Surface::Index v : line)
-      polyline.push_back(*std::next(vertices(mesh).begin(), v));
-    *polylines++ = polyline;
-  }
-  return polylines;
 }
 
 } // namespace Region_segmentation
