@@ -6,7 +6,7 @@
 /// \file close_segments.h
 /// Requires Eigen 3; so it is not part of region_segmentation.h.
 
-#include <CGAL/Region_segmentation/Graph/internal/Region_shapes.h>
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segment_caps.h>
 #include <CGAL/Region_segmentation/Segments/internal/Segmented_mesh.h>
