@@ -170,49 +170,35 @@ inline Requested_regions requested_regions(const Surface& surface, const Partiti
 
 namespace internal {
 
-/// An adjacency between a crumb and another component.
-struct Way_out_of_crumb
+/// The contact of a crumb with another component, across all their adjacencies.
+struct Contact_of_crumb
 {
-  Partition::Index crumb, component, region, other; // components, and regions of the two faces
-  double length, distance;                          // distance: of the centroids of the faces
+  double length = 0;                                         ///< in total
+  double distance = std::numeric_limits<double>::infinity(); ///< the least one of two centroids
+  /// Of the longest adjacency, of equal ones the nearest: -length, distance, the two regions.
+  std::tuple<double, double, Partition::Index, Partition::Index> longest{1, 0, 0, 0};
 };
 
-/// Returns the ways out of crumbs. The ways of smaller crumbs come first; of a crumb, those to the
-/// component with which its adjacencies are longest in total, of equal ones to that with the
-/// nearest faces; of these, the longest adjacency, of equal ones that of the nearest faces.
-inline std::vector<Way_out_of_crumb>
-ways_out_of_crumbs(const Surface& surface, const Partition& regions, const Partition& component_of)
+/// The contacts by crumb and component.
+inline std::map<std::pair<Partition::Index, Partition::Index>, Contact_of_crumb>
+contacts_of_crumbs(const Surface& surface, const Partition& regions)
 {
-  using Index = Partition::Index;
-  struct Contact
-  {
-    double length = 0, distance = std::numeric_limits<double>::infinity();
-  };
-  std::map<std::pair<Index, Index>, Contact> contacts; // of a crumb and a component
-  std::vector<Way_out_of_crumb> ways;
+  const Partition& component_of = surface.components();
+  std::map<std::pair<Partition::Index, Partition::Index>, Contact_of_crumb> result;
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
+    const Surface::Index lower = surface.lower_face(a), higher = surface.higher_face(a);
     for (const auto& [f, g] : {std::pair(lower, higher), std::pair(higher, lower)}) {
-      const Index c = component_of[f], d = component_of[g];
-      if (c == d || !surface.is_crumb(f))
+      if (component_of[f] == component_of[g] || !surface.is_crumb(f))
         continue;
-      const double length = surface.length(a),
-                   distance = norm(surface.centroid(f) - surface.centroid(g));
-      Contact& contact = contacts[{c, d}];
-      contact.length += length;
+      const double distance = norm(surface.centroid(f) - surface.centroid(g));
+      const std::tuple adjacency(-surface.length(a), distance, regions[f], regions[g]);
+      Contact_of_crumb& contact = result[{component_of[f], component_of[g]}];
+      contact.longest = (std::min)(contact.longest, adjacency);
+      contact.length += surface.length(a);
       contact.distance = (std::min)(contact.distance, distance);
-      ways.push_back({c, d, regions[f], regions[g], length, distance});
     }
   }
-  const std::vector<double> areas = part_areas(surface, component_of);
-  const auto key = [&](const Way_out_of_crumb& w) {
-    const Contact& contact = contacts.at({w.crumb, w.component});
-    return std::make_tuple(areas[w.crumb], w.crumb, -contact.length, contact.distance, w.component,
-                           -w.length, w.distance, w.region, w.other);
-  };
-  std::sort(ways.begin(), ways.end(),
-            [&](const auto& v, const auto& w) { return key(v) < key(w); });
-  return ways;
+  return result;
 }
 
 /// Sets of components that are joined, and whether all components of a set are crumbs.
@@ -254,24 +240,32 @@ private:
 };
 
 /// The pairs of regions to be merged first, so that each crumb is one region and joins another
-/// component, see `ways_out_of_crumbs()`. Crumbs that join each other are joined to further
+/// component: the smallest crumb first, each that component with which its adjacencies are longest
+/// in total, of equal ones the nearest. Crumbs that join each other are joined to further
 /// components until one of these is no crumb.
 inline std::vector<std::pair<Partition::Index, Partition::Index>>
 merges_of_crumbs(const Surface& surface, const Partition& regions)
 {
-  std::vector<std::pair<Partition::Index, Partition::Index>> result;
+  using Index = Partition::Index;
+  std::vector<std::pair<Index, Index>> result;
   if (surface.number_of_crumbs() == 0)
     return result;
-  const Partition& component_of = arrays_of(surface).component_of;
+  const Partition& component_of = surface.components();
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const Partition::Index f = surface.lower_face(a), g = surface.higher_face(a);
+    const Index f = surface.lower_face(a), g = surface.higher_face(a);
     if (surface.is_crumb(f) && component_of[f] == component_of[g] && regions[f] != regions[g])
       result.insert(result.end(), {{regions[f], regions[g]}, {regions[g], regions[f]}});
   }
+  const std::vector<double> areas = part_areas(surface, component_of);
+  std::vector<std::tuple<double, Index, double, double, Index, Index, Index>> ways; // in order
+  for (const auto& [pair, contact] : contacts_of_crumbs(surface, regions))
+    ways.push_back({areas[pair.first], pair.first, -contact.length, contact.distance, pair.second,
+                    std::get<2>(contact.longest), std::get<3>(contact.longest)});
+  std::sort(ways.begin(), ways.end());
   Joined_components joined(surface, regions, component_of);
-  for (const auto& way : ways_out_of_crumbs(surface, regions, component_of))
-    if (joined.is_crumb(way.crumb) && joined.unite(way.crumb, way.component))
-      result.push_back({way.region, way.other});
+  for (const auto& [area, crumb, length, distance, component, region, other] : ways)
+    if (joined.is_crumb(crumb) && joined.unite(crumb, component))
+      result.push_back({region, other});
   return result;
 }
 
