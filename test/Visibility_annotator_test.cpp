@@ -57,9 +57,8 @@ void annotate(Graph& graph, const RS::Surface& mesh, const RS::Partition& region
 {
   const RS::Surface_patches patches = patches_of(mesh);
   const auto rays = RS::internal::Inward_rays(mesh, patches, regions).trace(RS::Execution());
-  RS::Visibility_annotator()(
-    graph, mesh, regions,
-    RS::Region_rays{rays, RS::internal::Region_shapes(mesh, patches.fine, regions)});
+  RS::Visibility_annotator()(graph, mesh, regions,
+                             RS::Region_rays{rays, RS::Region_shapes(mesh, patches.fine, regions)});
 }
 
 Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
@@ -228,8 +227,8 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
   const RS::Surface mesh = surface_of(joined(grid(2, 1), point)),
                     of_square = surface_of(grid(1, 1));
-  const RS::internal::Region_shapes shapes(mesh, patches_of(mesh).fine,
-                                           RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
+  const RS::Region_shapes shapes(mesh, patches_of(mesh).fine,
+                                 RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
   ASSERT_EQ(shapes.regions.size(), 2u);
   EXPECT_EQ(shapes.regions[0].moments.weight, 1);
   EXPECT_EQ(shapes.regions[1].moments.weight, 0);
@@ -242,8 +241,8 @@ TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_ther
   expect_equal(shapes.centroid(shapes.regions[1].moments), {0.5, 0.5, 0});
   expect_equal(shapes.centroid(shapes.surface), {1, 0.5, 0});
 
-  const RS::internal::Region_shapes of_one(of_square, patches_of(of_square).fine,
-                                           RS::Partition::from_labels(std::vector<int>{0}));
+  const RS::Region_shapes of_one(of_square, patches_of(of_square).fine,
+                                 RS::Partition::from_labels(std::vector<int>{0}));
   EXPECT_EQ(of_one.regions.at(0).moments.weight, 1);
   expect_equal(of_one.centroid(of_one.regions[0].moments), {0.5, 0.5, 0});
   expect_equal(of_one.centroid(of_one.surface), {0.5, 0.5, 0});

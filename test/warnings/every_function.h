@@ -13,7 +13,6 @@
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
-#include <CGAL/Region_segmentation/Superfacets/Scalar_cost.h>
 #include <CGAL/region_segmentation.h>
 #include <CGAL/region_segmentation_stages.h>
 #ifdef TEST_EIGEN
@@ -66,10 +65,10 @@ void use_methods(const Mesh& mesh)
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Visibility_merging()));
   RS::segment<ConcurrencyTag>(mesh, segments,
                               RS::parameters::number_of_segments(2).method(RS::Two_step()));
-  const RS::Scalar_annotator scalar(RS::face_values(mesh, seeds));
-  const RS::Superfacet_merging by_scalar{scalar, RS::Lowest_cost_first(RS::Scalar_cost(1)),
-                                         RS::Number_below_cost{0}};
-  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(by_scalar));
+  const RS::Superfacet_merging below_cost{RS::Visibility_annotator(),
+                                          RS::Lowest_cost_first(RS::Visibility_cost()),
+                                          RS::Number_below_cost{0}};
+  RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(below_cost));
 #ifdef TEST_EIGEN
   RS::segment<ConcurrencyTag>(mesh, segments, RS::parameters::method(RS::Smooth_faces()));
 #endif

@@ -7,7 +7,6 @@ of a `CGAL::Region_segmentation::Superfacet_merging`.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_annotator`
 \cgalHasModel `CGAL::Region_segmentation::Learned_annotator`
-\cgalHasModel `CGAL::Region_segmentation::Scalar_annotator`
 */
 class GraphAnnotator
 {

@@ -12,7 +12,6 @@ calls that of the base class, and its own `add_face()` and `add_border()`, if it
 \cgalHasModel `CGAL::Region_segmentation::Region_geometry`
 \cgalHasModel `CGAL::Region_segmentation::Visibility_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Learned_region_data`
-\cgalHasModel `CGAL::Region_segmentation::Scalar_region_data`
 \cgalHasModel `CGAL::Region_segmentation::Surface_face_region_data`
 */
 class RegionData

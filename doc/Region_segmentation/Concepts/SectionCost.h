@@ -16,7 +16,6 @@ cost that determines the order of merges.
 
 \cgalHasModel `CGAL::Region_segmentation::Visibility_cost`
 \cgalHasModel `CGAL::Region_segmentation::Learned_cost`
-\cgalHasModel `CGAL::Region_segmentation::Scalar_cost`
 \cgalHasModel `CGAL::Region_segmentation::Surface_face_cost`
 */
 class SectionCost

@@ -9,6 +9,7 @@
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -41,10 +43,12 @@ public:
     : m_map(CGAL::parameters::get_parameter(np, Tag()))
   {}
 
+  /// Whether all elements have different numbers, as a map of the user and the descriptors of
+  /// `Surface_mesh` and OpenMesh give them; ids of elements can be anything.
   template <typename Descriptor>
-  static constexpr bool has_numbers_of = has_parameter<Pack, Tag> ||
-                                         satisfies<Has_idx, Descriptor> ||
-                                         satisfies<Has_id, Descriptor>;
+  static constexpr bool is_reliable = has_parameter<Pack, Tag> || satisfies<Has_idx, Descriptor>;
+  template <typename Descriptor>
+  static constexpr bool has_numbers = is_reliable<Descriptor> || satisfies<Has_id, Descriptor>;
 
   template <typename Descriptor>
   std::size_t operator()(const Descriptor& d) const
@@ -80,11 +84,14 @@ public:
     : m_number_of(number_of)
     , m_elements(range.begin(), range.end())
   {
-    if constexpr (NumberOf::template has_numbers_of<Descriptor>)
+    if constexpr (NumberOf::template has_numbers<Descriptor>)
       if (use_numbers())
         return;
-    for (std::size_t rank = 0; rank < size(); ++rank)
-      m_hashed.emplace(m_elements[rank], Surface::Index(rank));
+    if constexpr (NumberOf::template is_reliable<Descriptor>)
+      CGAL_precondition_msg(false, "an index map has different values");
+    else
+      for (std::size_t rank = 0; rank < size(); ++rank)
+        m_hashed.emplace(m_elements[rank], Surface::Index(rank));
   }
 
   std::size_t size() const { return m_elements.size(); }
@@ -93,19 +100,22 @@ public:
   /// The position of an element; `none` if it is not in the range.
   Surface::Index operator[](const Descriptor& d) const
   {
-    if constexpr (NumberOf::template has_numbers_of<Descriptor>)
-      if (m_hashed.empty()) {
-        const std::size_t number = m_number_of(d);
-        if (m_ranks.empty())
-          return number < size() ? Surface::Index(number) : none;
-        return number < m_ranks.size() ? m_ranks[number] : none;
+    if constexpr (!NumberOf::template is_reliable<Descriptor>)
+      if (!m_hashed.empty()) {
+        const auto found = m_hashed.find(d);
+        return found == m_hashed.end() ? none : found->second;
       }
-    const auto found = m_hashed.find(d);
-    return found == m_hashed.end() ? none : found->second;
+    if constexpr (NumberOf::template has_numbers<Descriptor>) {
+      const std::size_t number = m_number_of(d);
+      if (m_ranks.empty())
+        return number < size() ? Surface::Index(number) : none;
+      return number < m_ranks.size() ? m_ranks[number] : none;
+    }
+    return none;
   }
 
 private:
-  /// Returns whether the elements have different numbers, in an array that is not much larger.
+  /// Returns whether the elements have different numbers that are not much larger than their count.
   bool use_numbers()
   {
     std::size_t largest = 0;
@@ -117,7 +127,7 @@ private:
     }
     if (is_position)
       return true;
-    if (largest / 8 > size() + 128)
+    if (!NumberOf::template is_reliable<Descriptor> && largest / 8 > size() + 128)
       return false;
     m_ranks.assign(largest + 1, none);
     for (std::size_t rank = 0; rank < size(); ++rank)
@@ -131,7 +141,9 @@ private:
   NumberOf m_number_of;
   std::vector<Descriptor> m_elements;
   Large_array<Surface::Index> m_ranks; // by number; empty if each number is the position
-  boost::unordered_map<Descriptor, Surface::Index> m_hashed; // empty if numbers are used
+  std::conditional_t<NumberOf::template is_reliable<Descriptor>, std::monostate,
+                     boost::unordered_map<Descriptor, Surface::Index>>
+    m_hashed; // empty if numbers are used
 };
 
 /// The order of the elements of a face graph, which does not depend on its type: faces and vertices
