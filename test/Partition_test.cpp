@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <random>
 #include <set>
 #include <vector>
@@ -79,19 +78,6 @@ TEST(Partition_test, composed_joins_parts)
   EXPECT_EQ(labels_of(composed(fine, coarse)), (Labels{0, 1, 0, 1, 1}));
   EXPECT_EQ(composed(fine, coarse).number_of_parts(), 2u);
   EXPECT_EQ(composed(Partition(), Partition()), Partition());
-}
-
-TEST(Partition_test, a_composed_one_is_looked_up)
-{
-  const auto fine = Partition::from_labels(std::vector<int>{0, 1, 2, 0, 3, 1});
-  const auto coarse = Partition::from_labels(std::vector<int>{0, 1, 0, 1});
-  const RS::Composed_partition both(std::make_shared<const Partition>(fine), coarse);
-  const Partition expected = composed(fine, coarse);
-  ASSERT_EQ(both.size(), expected.size());
-  EXPECT_EQ(both.number_of_parts(), 2u);
-  for (std::size_t i = 0; i < both.size(); ++i)
-    EXPECT_EQ(both[i], expected[i]);
-  EXPECT_EQ(Partition(both), expected);
 }
 
 } // namespace Partition_test

@@ -253,7 +253,7 @@ private:
     return m_merged;
   }
 
-  Composed_partition segments_of(std::size_t number, const Execution& execution) const
+  Partition segments_of(std::size_t number, const Execution& execution) const
   {
     if constexpr (needs_number) {
       Request request = m_request;
@@ -265,7 +265,7 @@ private:
   }
 
   template <typename SegmentMap>
-  std::size_t write(const Composed_partition& segments, SegmentMap& segment_map) const
+  std::size_t write(const Partition& segments, SegmentMap& segment_map) const
   {
     m_input.write(segments, segment_map);
     return segments.number_of_parts();

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,30 +52,39 @@ struct Request
 /// \ingroup PkgRegionSegmentationData
 /// The result of a method that merges in one order for all numbers of segments: first regions,
 /// their merges, and the number of segments that was given or chosen. It gives the segments for any
-/// number, and these segmentations are nested. Copies share the first regions.
+/// number, and these segmentations are nested.
 class Hierarchy
 {
 public:
   Hierarchy() = default;
   /// `regions`: the first regions of the faces; `tree`: their merges
   Hierarchy(Partition regions, Merge_tree tree, std::size_t number_of_segments)
-    : m_regions(std::make_shared<const Partition>(std::move(regions)))
+    : m_regions(std::move(regions))
     , m_tree(std::move(tree))
     , m_number(number_of_segments)
   {}
 
-  const Partition& regions() const { return *m_regions; }
-  const Merge_tree& merge_tree() const { return m_tree; }
-  std::size_t number_of_segments() const { return m_number; }
+  const Partition& regions() const
+  {
+    return m_regions;
+  }
+  const Merge_tree& merge_tree() const
+  {
+    return m_tree;
+  }
+  std::size_t number_of_segments() const
+  {
+    return m_number;
+  }
 
   /// The segments of the faces: `number` of them, or the nearest number that there is.
-  Composed_partition segments(std::size_t number) const
+  Partition segments(std::size_t number) const
   {
-    return Composed_partition(m_regions, m_tree.partition_at_count(number));
+    return composed(m_regions, m_tree.partition_at_count(number));
   }
 
 private:
-  std::shared_ptr<const Partition> m_regions = std::make_shared<const Partition>();
+  Partition m_regions;
   Merge_tree m_tree;
   std::size_t m_number = 0;
 };

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -212,36 +211,6 @@ inline Partition composed(const Partition& fine, const Partition& coarse)
     part_of[i] = coarse[fine[i]];
   return Partition(std::move(part_of), coarse.number_of_parts());
 }
-
-/// \ingroup PkgRegionSegmentationData
-/// The partition `composed(fine, coarse)` without an array of its own for the elements, which are
-/// many: their parts are looked up in both.
-class Composed_partition
-{
-public:
-  using Index = Partition::Index;
-
-  /// \pre the elements of `coarse` are the parts of `fine`
-  Composed_partition(std::shared_ptr<const Partition> fine, Partition coarse)
-    : m_fine(std::move(fine))
-    , m_coarse(std::move(coarse))
-  {
-    CGAL_precondition(m_fine->number_of_parts() == m_coarse.size());
-  }
-
-  std::size_t size() const { return m_fine->size(); }
-  std::size_t number_of_parts() const { return m_coarse.number_of_parts(); }
-
-  /// The part of an element.
-  Index operator[](std::size_t element) const { return m_coarse[(*m_fine)[element]]; }
-
-  /// The same partition with an array of its own.
-  operator Partition() const { return composed(*m_fine, m_coarse); }
-
-private:
-  std::shared_ptr<const Partition> m_fine; // is shared, since it may belong to a `Hierarchy`
-  Partition m_coarse;
-};
 
 } // namespace Region_segmentation
 } // namespace CGAL

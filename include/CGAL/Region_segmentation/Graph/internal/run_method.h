@@ -192,7 +192,7 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   using Calls = Method_calls<Method>;
   const auto prepared = Calls::prepare(method, surface, request.number_of_segments, execution);
   const auto result = Calls::merge(method, surface, prepared, request, execution);
-  const Composed_partition segments = result.segments(result.number_of_segments());
+  const Partition segments = result.segments(result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
     input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
                 result.regions().number_of_parts(), "first region");

@@ -139,10 +139,8 @@ inline std::vector<double> part_areas(const Surface& surface, const Partition& p
 /// Calls `f(part, element)` for all elements of a partition, those of a part in order, so that sums
 /// are the same in parallel. In parallel, elements are first sorted by their parts: if each thread
 /// went through all elements, four threads would do three times the work of one.
-///
-/// \tparam Parts a `Partition` or a `Composed_partition`
-template <typename Parts, typename F>
-void for_each_in_part(const Execution& execution, const Parts& parts, const F& f)
+template <typename F>
+void for_each_in_part(const Execution& execution, const Partition& parts, const F& f)
 {
   if (!execution.is_parallel()) {
     for (std::size_t i = 0; i < parts.size(); ++i)
