@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace parallel_test {
@@ -107,6 +108,10 @@ TEST_P(Parallel_test, two_step_gives_the_same_bits)
     }
   }
 }
+
+static_assert(std::is_constructible<RS::Execution, CGAL::Parallel_tag>::value &&
+                !std::is_constructible<RS::Execution, int>::value,
+              "an execution is made of a concurrency tag");
 
 /// What is known of every adjacency, every corner, and the patches.
 template <typename ConcurrencyTag>

@@ -67,7 +67,9 @@ public:
   Execution() = default;
   /// An execution of a concurrency tag, without a visitor: of `CGAL::Sequential_tag` or, with TBB,
   /// of `CGAL::Parallel_tag`, as in `Execution execution{CGAL::Parallel_tag()}`.
-  template <typename ConcurrencyTag>
+  template <
+    typename ConcurrencyTag,
+    typename = std::enable_if_t<std::is_base_of<CGAL::Sequential_tag, ConcurrencyTag>::value>>
   explicit Execution(ConcurrencyTag)
     : m_threads(internal::threads_of<ConcurrencyTag>())
   {}
