@@ -64,18 +64,9 @@ public:
     , m_number(number_of_segments)
   {}
 
-  const Partition& regions() const
-  {
-    return m_regions;
-  }
-  const Merge_tree& merge_tree() const
-  {
-    return m_tree;
-  }
-  std::size_t number_of_segments() const
-  {
-    return m_number;
-  }
+  const Partition& regions() const { return m_regions; }
+  const Merge_tree& merge_tree() const { return m_tree; }
+  std::size_t number_of_segments() const { return m_number; }
 
   /// The segments of the faces: `number` of them, or the nearest number that there is.
   Partition segments(std::size_t number) const
