@@ -91,23 +91,6 @@ TEST(Longest_flattest_section_test, what_has_no_weight_decides_nothing)
 
 /// Equal sections have the same sum, wherever they are in the list of the region, and also if they
 /// differ in the last digit: means of the same angle do.
-TEST(Longest_flattest_section_test, rounding_does_not_decide_between_equal_sections)
-{
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    std::vector<std::pair<double, double>> sections(2 + random() % 10);
-    for (auto& s : sections)
-      s = {double(1 + random() % 99) / 100, double(1 + random() % 99) / 100};
-    const std::pair<double, double> best(1.1, 1.1);
-    sections.insert(sections.begin() + std::ptrdiff_t(random() % sections.size()), best);
-    const auto first = std::uint32_t(std::find(sections.begin(), sections.end(), best) -
-                                     sections.begin() + 1);
-    sections.push_back({std::nextafter(best.first, 2), std::nextafter(best.second, 2)});
-    for (const double beta : {0., 0.1, 0.7, 1.})
-      EXPECT_EQ(chosen(star(sections), beta), first) << beta;
-  }
-}
 
 /// Links are candidates for a region that cannot be merged across edges: such a region was never
 /// merged across a link if it had a constrained edge.

@@ -141,14 +141,6 @@ inline std::int64_t rounded_term(double term)
   return std::int64_t(std::nearbyint(68719476736. * term));
 }
 
-// A number rounded to 36 bits.
-inline double rounded_to_36_bits(double x)
-{
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return std::ldexp(std::nearbyint(std::ldexp(fraction, 36)), exponent - 36);
-}
-
 // ---------------------------------------------------------------------------------------------------
 // The mesh
 // ---------------------------------------------------------------------------------------------------
@@ -598,10 +590,8 @@ inline std::size_t choose_neighbor(const Region& region, double beta)
     double sum = 0.;
     for (const auto& other : region.sections) {
       const Section& section_j = other.second;
-      sum += beta *
-               share(rounded_to_36_bits(section_i.length), rounded_to_36_bits(section_j.length)) +
-             (1. - beta) * share(rounded_to_36_bits(section_i.mean_angle()),
-                                 rounded_to_36_bits(section_j.mean_angle()));
+      sum += beta * share(section_i.length, section_j.length) +
+             (1. - beta) * share(section_i.mean_angle(), section_j.mean_angle());
     }
     if (best == none || sum > best_sum) {
       best = candidate.first;

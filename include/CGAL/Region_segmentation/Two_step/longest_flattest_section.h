@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <tuple>
 
@@ -24,19 +23,13 @@ inline double share(double a, double b)
   return a + b == 0 ? 0.5 : a / (a + b);
 }
 
-/// Returns a number rounded to 36 bits (Veltkamp's splitting).
-inline double rounded_to_36_bits(double x)
-{
-  const double product = ((1 << 17) + 1) * x;
-  return product - (product - x);
-}
-
 /// A section of a region, with what eq. 3 of the paper compares.
 struct Compared_section
 {
   Section_descriptor descriptor;
   std::uint32_t neighbor;
-  double length, angle; // L, A; 0 without weight, else rounded: means of equal angles differ
+  double length, angle; // L, A; 0 without weight
+  bool is_mergeable;
 };
 using Compared_sections = boost::container::small_vector<Compared_section, 16>;
 
@@ -52,29 +45,27 @@ Compared_sections compared_sections(const Graph& graph, std::uint32_t region, do
   Compared_sections result;
   for (const Section_descriptor s : all)
     if (!has_edges_to_merge || !graph[s].has_links_alone())
-      result.push_back({s, graph.target(s), beta > 0 ? rounded_to_36_bits(graph[s].length) : 0,
-                        beta < 1 ? rounded_to_36_bits(graph[s].mean_angle()) : 0});
+      result.push_back({s, graph.target(s), beta > 0 ? graph[s].length : 0,
+                        beta < 1 ? graph[s].mean_angle() : 0, graph.is_mergeable(s)});
   return result;
 }
 
-/// Removes the sections that cannot have the largest sum of P_ij, which grows with L_i and A_i:
-/// those that are not longer than a flatter one, and of equal ones all but that to the lowest
-/// neighbor. Usually a few are left, so eq. 3 is summed for these alone: with the sums of all
-/// sections, `Two_step` took 1.9 times as long for 1000 segments of a noisy mesh of 1 million
-/// faces.
-inline void keep_longer_than_flatter_ones(Compared_sections& sections)
+/// Returns the flattest of the mergeable sections that are longer than `longest`, of equally flat
+/// ones the longest, of these that to the lowest neighbor; null if there is none.
+///
+/// P_ij grows with L_i and A_i, so only a section that is longer than all flatter ones can have the
+/// largest sum. Usually these are a few; with the sums of all sections, `Two_step` took 1.9 times
+/// as long for 1000 segments of a noisy mesh of 1 million faces.
+inline const Compared_section* flattest_longer_than(const Compared_sections& sections,
+                                                    double longest)
 {
-  const auto is_before = [](const Compared_section& s, const Compared_section& t) {
-    return std::tie(s.angle, s.length, t.neighbor) > std::tie(t.angle, t.length, s.neighbor);
-  };
-  for (auto kept = sections.begin(); kept != sections.end();) {
-    std::iter_swap(kept, std::min_element(kept, sections.end(), is_before));
-    const double longest = kept->length;
-    ++kept;
-    sections.erase(std::remove_if(kept, sections.end(),
-                                  [&](const Compared_section& s) { return s.length <= longest; }),
-                   sections.end());
-  }
+  const Compared_section* result = nullptr;
+  for (const Compared_section& s : sections)
+    if (s.is_mergeable && s.length > longest &&
+        (!result || std::tie(s.angle, s.length, result->neighbor) >
+                      std::tie(result->angle, result->length, s.neighbor)))
+      result = &s;
+  return result;
 }
 
 /// Eq. 3 of the paper: returns the sum of P_ij over the other sections j,
@@ -97,10 +88,9 @@ inline double sum_of_eq_3(const Compared_section& i, const Compared_sections& se
 /// The section \f$i\f$ has the largest sum over the region's other sections \f$j\f$ of
 /// \f[ P_{ij} = \beta \frac{L_i}{L_i + L_j} + (1 - \beta) \frac{A_i}{A_i + A_j}, \f]
 /// \f$L\f$ the length and \f$A\f$ the mean dihedral angle of a section (paper, eq. 3); 0/0 is 1/2;
-/// the lower neighbor id of equal sums. \f$L\f$ and \f$A\f$ are rounded to 36 bits, so that
-/// rounding does not decide between equal sections. Sections that are not mergeable count only as
-/// \f$j\f$. Sections of links alone count only if the region has no other section that is
-/// mergeable.
+/// the lower neighbor id of equal sums, and of sections of equal length and angle. Sections that
+/// are not mergeable count only as \f$j\f$. Sections of links alone count only if the region has no
+/// other section that is mergeable.
 ///
 /// \param graph a `Region_adjacency_graph`
 /// \param region the region
@@ -113,16 +103,13 @@ std::optional<Section_descriptor> longest_flattest_section(const Graph& graph, s
                                                            double beta)
 {
   const auto sections = internal::compared_sections(graph, region, beta);
-  internal::Compared_sections candidates;
-  std::copy_if(sections.begin(), sections.end(), std::back_inserter(candidates),
-               [&](const auto& s) { return graph.is_mergeable(s.descriptor); });
-  internal::keep_longer_than_flatter_ones(candidates);
   const internal::Compared_section* best = nullptr;
-  double best_sum = 0;
-  for (const internal::Compared_section& i : candidates) {
-    const double sum = internal::sum_of_eq_3(i, sections, beta);
-    if (!best || sum > best_sum || (sum == best_sum && i.neighbor < best->neighbor)) {
-      best = &i;
+  double best_sum = 0, longest = -1;
+  while (const internal::Compared_section* i = internal::flattest_longer_than(sections, longest)) {
+    longest = i->length;
+    const double sum = internal::sum_of_eq_3(*i, sections, beta);
+    if (!best || sum > best_sum || (sum == best_sum && i->neighbor < best->neighbor)) {
+      best = i;
       best_sum = sum;
     }
   }
