@@ -89,9 +89,6 @@ TEST(Longest_flattest_section_test, what_has_no_weight_decides_nothing)
   EXPECT_EQ(chosen(star({{2, 1}, {2, 2}, {2, 3}, {1, 3}}), 1), 1u);
 }
 
-/// Equal sections have the same sum, wherever they are in the list of the region, and also if they
-/// differ in the last digit: means of the same angle do.
-
 /// Links are candidates for a region that cannot be merged across edges: such a region was never
 /// merged across a link if it had a constrained edge.
 TEST(Longest_flattest_section_test, links_are_for_regions_without_edges_to_merge_across)
