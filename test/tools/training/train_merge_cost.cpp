@@ -70,7 +70,7 @@ std::vector<Variant> variants_of_models()
 
 struct Options
 {
-  std::string data_folder, furniture_folder, header;
+  std::string data_folder, furniture_folder, header, name = "learned-2";
   bool has_report = false;
   std::vector<Variant> variants = variants_of_models();
   std::size_t folds = 5;
@@ -99,6 +99,10 @@ std::variant<Options, int> parse_command_line(int argc, char** argv)
     ->check(CLI::Range(0., 100.));
   app.add_option("--output", options.header, "Write the model as a header: learned_merge_model.h")
     ->type_name("FILE");
+  app
+    .add_option("--name", options.name,
+                "Of the model, with its version: each training has its own. Default: learned-2")
+    ->type_name("NAME");
   app.add_flag("--report", options.has_report,
                "Variants, categories left out, calibration and the importance of features, too");
   app.add_option("--seed", options.plan.seed, "Of all that is random. Default: 1")
@@ -311,7 +315,8 @@ int run_program(int argc, char** argv)
   const std::vector<Training_model> models = load_models(sources, options);
   const Cross_validation validation = cross_validate(models, folds_of_models(models, options.folds),
                                                      options.plan);
-  const Model trained = train_on_all(validation, options.plan);
+  Model trained = train_on_all(validation, options.plan);
+  trained.name = options.name;
   if (!options.header.empty()) {
     segment_mesh::Whole_file file(options.header);
     write_model(file.stream(), trained, provenance(options, models, validation));
