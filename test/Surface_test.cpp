@@ -611,6 +611,51 @@ TEST(Orientation_test, a_thin_wall_far_from_the_origin_keeps_its_void)
   }
 }
 
+// As the quads at the poles of a sphere, of which one side has no length.
+TEST(Orientation_test, sides_of_no_length_are_no_borders)
+{
+  const Soup closed{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
+                    {{3, 2, 1, 0}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
+  for (const Soup& soup : {closed, reversed(closed)}) {
+    const RS::Surface surface = surface_of(soup);
+    EXPECT_EQ(surface.number_of_adjacencies(), 8u);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      EXPECT_GT(dot(surface.normal(f), surface.centroid(f) - Double_3{0.5, 0.5, 0.3}), 0) << f;
+  }
+}
+
+// Two open bodies on the two sides of a pair of triangles that is given twice, with two more sides
+// at one edge: not all sides can be joined to one other side.
+TEST(Doubled_faces_test, beside_more_than_two_bodies_are_sewn)
+{
+  std::mt19937 random(1);
+  Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.3, 0.4, 1}, {0.4, 0.3, -1}},
+            {{0, 1, 2},
+             {0, 2, 3},
+             {2, 1, 0},
+             {3, 2, 0},
+             {1, 0, 4},
+             {2, 1, 4},
+             {3, 2, 4},
+             {0, 3, 4},
+             {0, 1, 5},
+             {1, 2, 5},
+             {2, 3, 5},
+             {3, 0, 5}}};
+  for (int i = 0; i < 200; ++i) {
+    Soup some = soup;
+    shuffle_faces(some, random);
+    some.polygons.resize(6 + random() % 7);
+    for (const RS::Surface& surface : {surface_of(some), surface_of(torn(some))}) {
+      expect_consistent_corners(surface);
+      for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+        for (std::size_t side = 0; side < surface.number_of_corners(f); ++side)
+          if (const auto a = surface.adjacency(f, side); a != RS::Surface::none)
+            EXPECT_TRUE(surface.lower_face(a) == f || surface.higher_face(a) == f);
+    }
+  }
+}
+
 // Every triangle has points of its own, whose coordinates are moved by up to `amplitude` of the
 // largest coordinate.
 Soup torn_apart(const Soup& soup, double amplitude, std::mt19937& random)

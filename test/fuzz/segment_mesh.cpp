@@ -70,6 +70,15 @@ std::size_t number_of_components(const Mesh& mesh)
   return number;
 }
 
+/// The number of faces that are neither degenerate nor doubled.
+std::size_t number_of_proper_faces(const RS::Surface& surface)
+{
+  std::size_t number = 0;
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    number += !surface.is_degenerate(f);
+  return number;
+}
+
 template <typename Method>
 void check_method(const Mesh& mesh, const Method& method, std::size_t k)
 {
@@ -82,7 +91,7 @@ void check_method(const Mesh& mesh, const Method& method, std::size_t k)
     check_labels(mesh, labels, n);
     require(n <= (std::max)(k, number_of_components(mesh)), "no more segments than asked for");
     if (gives_any_number)
-      require(n >= (std::min)(k, RS::internal::number_of_proper_faces(RS::make_surface(mesh))),
+      require(n >= (std::min)(k, number_of_proper_faces(RS::make_surface(mesh))),
               "no fewer segments than asked for, or than there are proper faces");
     require(RS::segment(mesh, face_map(mesh, again), np.number_of_segments(k)) == n &&
               again == labels,

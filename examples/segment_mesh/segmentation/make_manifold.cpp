@@ -6,8 +6,8 @@
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <numeric>
@@ -19,15 +19,9 @@ namespace segment_mesh {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
+namespace RS = CGAL::Region_segmentation;
 
 using Point_3 = Manifold::Mesh::Point;
-
-/// Whether any two points of a range are different.
-bool are_different(std::vector<Point> points)
-{
-  std::sort(points.begin(), points.end());
-  return std::adjacent_find(points.begin(), points.end()) == points.end();
-}
 
 /// The mesh of a soup that is an oriented 2-manifold.
 Manifold of_manifold(const Polygon_soup& soup)
@@ -41,13 +35,15 @@ Manifold of_manifold(const Polygon_soup& soup)
   return result;
 }
 
-/// Polygons with equal points merged, and points that they use. A polygon that comes back to a
-/// point, as around a hole that a bridge joins to its boundary, gets a copy of it.
+/// Polygons with points merged as the surface merges vertices, and points that they use. A polygon
+/// that comes back to a point, as around a hole that a bridge joins to its boundary, gets a copy of
+/// it.
 class Repair
 {
 public:
-  explicit Repair(const Polygon_soup& soup)
+  Repair(const Polygon_soup& soup, const RS::Surface& surface)
     : m_soup(soup)
+    , m_surface(surface)
   {}
 
   Manifold run()
@@ -63,7 +59,7 @@ public:
     PMP::polygon_soup_to_polygon_mesh(m_points, m_polygons, m_result.mesh);
     for (const auto v : m_result.mesh.vertices()) {
       const Point_3& p = m_result.mesh.point(v);
-      m_result.point_of_mesh_point.push_back(m_first.at({p.x(), p.y(), p.z()})[1]);
+      m_result.point_of_mesh_point.push_back(m_point_at.at({p.x(), p.y(), p.z()}));
     }
     return std::move(m_result);
   }
@@ -73,19 +69,16 @@ private:
   template <typename Polygon>
   std::vector<std::size_t> corners_of(const Polygon& polygon)
   {
-    const auto point = [&](std::size_t i) -> const Point& { return m_soup.points[i]; };
     std::vector<std::size_t> ends; // of sides that are no points
-    std::set<Point> different;
-    for (std::size_t i : polygon)
-      if (ends.empty() || point(ends.back()) != point(i))
-        ends.push_back(i);
-    while (ends.size() > 1 && point(ends.front()) == point(ends.back()))
+    for (const std::size_t i : polygon)
+      if (const std::size_t v = m_surface.merged_vertex(i); ends.empty() || ends.back() != v)
+        ends.push_back(v);
+    while (ends.size() > 1 && ends.front() == ends.back())
       ends.pop_back();
-    for (std::size_t i : ends)
-      different.insert(point(i));
+    const bool has_area = std::set<std::size_t>(ends.begin(), ends.end()).size() > 2;
     std::vector<std::size_t> corners;
     std::set<std::size_t> visited;
-    for (std::size_t i = 0; i < ends.size() && different.size() > 2; ++i) {
+    for (std::size_t i = 0; i < ends.size() && has_area; ++i) {
       const std::size_t corner = index_of(ends[i]);
       const bool comes_back = !visited.insert(corner).second;
       corners.push_back(comes_back ? m_points.size() : corner);
@@ -95,18 +88,21 @@ private:
     return corners;
   }
 
-  std::size_t index_of(std::size_t point)
+  std::size_t index_of(std::size_t vertex)
   {
-    const Point& p = m_soup.points[point];
-    const auto [found, is_new] = m_first.emplace(p, Vertex_pair{m_points.size(), point});
-    if (is_new)
+    const auto [found, is_new] = m_index.emplace(vertex, m_points.size());
+    if (is_new) {
+      const Point& p = m_soup.points[vertex];
       m_points.emplace_back(p[0], p[1], p[2]);
-    return found->second[0];
+      m_point_at.emplace(p, vertex);
+    }
+    return found->second;
   }
 
   const Polygon_soup& m_soup;
-  std::map<Point, Vertex_pair> m_first; // by coordinates: the merged point, and the first one of
-                                        // the soup
+  const RS::Surface& m_surface;
+  std::map<std::size_t, std::size_t> m_index; // in the points below, by vertex of the surface
+  std::map<Point, std::size_t> m_point_at;    // the first point of the soup at a place
   std::vector<Point_3> m_points;
   std::vector<std::vector<std::size_t>> m_polygons;
   Manifold m_result;
@@ -116,9 +112,13 @@ private:
 
 Manifold make_manifold(const Polygon_soup& soup)
 {
-  return is_oriented_manifold(soup) && are_different({soup.points.begin(), soup.points.end()})
-           ? of_manifold(soup)
-           : Repair(soup).run();
+  const RS::Surface surface = RS::make_surface_of_polygon_soup(
+    soup.points, soup.polygons, RS::parameters::component_links(false));
+  bool has_merged_vertices = false;
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    has_merged_vertices |= surface.merged_vertex(v) != v;
+  return !has_merged_vertices && is_oriented_manifold(soup) ? of_manifold(soup)
+                                                            : Repair(soup, surface).run();
 }
 
 } // namespace segment_mesh

@@ -82,15 +82,13 @@ private:
 ///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which
 ///    its area is at most `maximum_area`; of several, the lower one. \f$c\f$ are the centroids,
 ///    \f$n\f$ the unit normals (zero for a degenerate face), \f$A\f$ the area of the surface.
-/// -# The selections form trees. A root is a patch that selects none, or of two that select each
-/// other the larger one by
-///    area, of equal ones the lower one. A patch of odd depth is joined to its parent, and a leaf
-///    of even depth to its grandparent; the others of even depth, the root (of depth 0) among them,
-///    keep what is joined to them.
+/// -# The selections form trees. A root is a patch that selects none, or the larger one by area of
+///    two that select each other, of equal ones the lower one. A patch of odd depth is joined to
+///    its parent, and a leaf of even depth to its grandparent; the others of even depth, the root
+///    (of depth 0) among them, keep what is joined to them.
 /// -# Joined patches are numbered by the lowest one of each. The centroid of a union is the mean of
-/// the centroids,
-///    weighted by area (without area, that of the lowest one); its normal is the sum of the normals
-///    of its faces, weighted by area, scaled to length 1.
+///    the centroids, weighted by area (without area, that of the lowest one); its normal is the sum
+///    of the normals of its faces, weighted by area, scaled to length 1.
 ///
 /// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down).
 /// Then the coarse patches are made of the fine ones in the same way, with `maximum_coarse_area`.

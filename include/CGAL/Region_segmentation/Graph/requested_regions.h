@@ -95,11 +95,12 @@ inline bool connect_seed(const Dual_graph& steps, const std::vector<Partition::I
   return left == 0;
 }
 
-/// Returns the regions after seeds are applied, one for each seed: the faces of each seed are
-/// connected; a face of a region with seeds belongs to the seed of its region from which the fewest
-/// edges have to be crossed, of several to the one that is reached first from the lower faces.
+/// Returns the regions after seeds are applied: there is one region for each seed, whose faces are
+/// connected, and the regions without seeds remain. A face of a region with seeds belongs to the
+/// nearest seed in its region, counted in edges; ties: by breadth-first search from the lower
+/// faces.
 ///
-/// O(F log F) in practice, and O(F log F) for each seed at worst.
+/// O(F log F), and for each seed with several faces O(F), O(F log F) at worst.
 /// \throws Invalid_input if the faces of a seed cannot be connected
 inline Partition apply_seeds(const Surface& surface, const Partition& regions, const Seeds& seeds)
 {
@@ -278,7 +279,7 @@ merges_of_crumbs(const Surface& surface, const Partition& regions)
 /// \tparam Graph a `Region_adjacency_graph` of `requested.regions`
 /// \tparam Policy a model of `MergingPolicy`, or `Policy_phases`
 /// \param surface that of the regions
-/// \param requested the regions, which seeds and constraints have changed
+/// \param requested the regions as seeds have changed them
 /// \param graph is merged
 /// \param policy determines the order of merges
 /// \param number the number of regions at which merging ends; with 1 the tree has all numbers

@@ -183,10 +183,10 @@ struct Merge_estimate
 /// `Learned_annotator`.
 ///
 /// With \f$p\f$ the probability that two points, one in either region, belong to one part, and
-/// \f$w\f$ the product of the shares of the area of the two regions, the cost is \f[ (1 - 2 p) (w /
-/// w_0)^e + c
-/// \, v, \f] \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of
-/// losses, \f$v\f$ the `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A
+/// \f$w\f$ the product of the shares of the area of the two regions, the cost is
+/// \f[ (1 - 2 p) (w / w_0)^e + c \, v, \f]
+/// \f$w_0 = e^{-4.605}\f$ (0.01), \f$e\f$ the exponent of gains if p > 1/2, else that of losses,
+/// \f$v\f$ the `Visibility_cost`. \f$w\f$ and \f$v\f$ are those of the rounded features. A
 /// merge changes the expected Rand index distance by \f$2 w (1 - 2 p)\f$; lower powers of \f$w\f$
 /// give a better order of merges.
 struct Learned_cost

@@ -121,9 +121,8 @@ struct Learned_region_data : Visibility_region_data
 /// - 9: \f$|t_m - t_M|\f$;
 /// - 10, 11: t of m, M;
 /// - 12, 13: \f$t_s - t\f$ of m, M;
-/// - 14: \f$\sqrt{q / a - t^2}\f$ of u, q the `squared_log_thickness` (standard deviation of the
-/// log
-///   thickness);
+/// - 14: \f$\sqrt{q / a - t^2}\f$ of u, q the `squared_log_thickness` (the standard deviation of
+///   the log thickness);
 /// - 15: \f$\ln L - \min(t_m, t_M)\f$;
 /// - 16: \f$\ln W - t\f$ of M;
 /// - 17, 18: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;

@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -99,13 +98,12 @@ inline std::size_t most_central(const std::vector<Partition>& partitions,
 ///
 /// The superfacets decide which of nearly equal merges comes first. Since a slightly different
 /// mesh has other superfacets, a single set of them would make the segments a matter of chance. So
-/// several draws of superfacets (`Superfacets::draws()`) are merged, each by itself; the result is
-/// the draw whose
-/// segmentation into its chosen number of segments has the smallest sum of Rand index distances to
-/// those of the others, of several the one with most superfacets. (Segmentations are compared on
-/// the centers of the coarse patches, by the areas of these in \f$2^{-26}\f$ of the surface,
-/// rounded down.) Rays are those of the superfacets of the first draw. Seeds do not change which
-/// draw is taken.
+/// several *draws*, sets of superfacets of different size (`Superfacets::draws()`), are merged,
+/// each by itself; the result is the draw whose segmentation into its chosen number of segments has
+/// the smallest sum of Rand index distances to those of the others, of several the one with most
+/// superfacets. (Segmentations are compared on the centers of the coarse patches, by the areas of
+/// these in \f$2^{-26}\f$ of the surface, rounded down.) Rays are those of the superfacets of the
+/// first draw. Seeds do not change which draw is taken.
 ///
 /// The order of merges does not depend on the number of segments. If no number is given, a chooser
 /// chooses it. If a number k of segments is given to `prepare()`, there are at least 2k superfacets

@@ -44,7 +44,7 @@ namespace Region_segmentation {
 /// Closed components that are inside out are turned, see `make_surface()`.
 ///
 /// Bytes: 64 per face, 4 per side and 17 per adjacency, so 101.5 per face on a closed triangle
-/// mesh.
+/// mesh; and 4 per side of a face graph that `make_surface()` reads.
 class Surface
 {
 public:
@@ -156,9 +156,10 @@ public:
   {
     return m_adjacencies[m_first_corners[face] + i];
   }
-  /// The same for the i-th side of a face as its mesh has them, counted from `halfedge(face,
-  /// mesh)`. (The surface begins at another corner, and may have turned the face.) \pre the surface
-  /// was made by `make_surface()` of a face graph
+  /// The adjacency across the i-th halfedge of a face in its mesh, counted from `halfedge(face,
+  /// mesh)`. (Sides of the surface begin at another corner, and run in the opposite direction if it
+  /// has turned the face.)
+  /// \pre the surface was made by `make_surface()` of a face graph
   Index adjacency_in_mesh(std::size_t face, std::size_t i) const
   {
     return m_adjacencies_in_mesh[m_first_corners[face] + i];

@@ -45,8 +45,9 @@ void for_each_side_of_mesh(const FaceGraph& mesh, const Surface& surface, const 
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam EdgeMap a model of `ReadablePropertyMap` with the edge descriptor as key and a value
-/// type
-///         convertible to `bool`
+///         type convertible to `bool`
+/// \param mesh, surface the mesh, and its surface
+/// \param map is read
 /// \pre `surface` was made by `make_surface(mesh)`
 ///
 /// Complexity: O(F).
@@ -70,9 +71,10 @@ std::vector<std::uint8_t> edge_values(const FaceGraph& mesh, const Surface& surf
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \tparam EdgeMap a model of `WritablePropertyMap` with the edge descriptor as key and a value
-/// type
-///         constructible from `bool`
+///         type constructible from `bool`
+/// \param mesh, surface the mesh, and its surface
 /// \param marks by adjacency: 1 or 0, as `edge_values()` and `detect_feature_edges()` return
+/// \param map every key is written
 /// \returns the number of edges with `true`
 /// \pre `surface` was made by `make_surface(mesh)`
 ///

@@ -59,14 +59,15 @@ void write_face_values(const FaceGraph& mesh, const Values& values, FaceMap map)
     internal::check_labels<Value>(values.number_of_parts());
   } else if constexpr (are_labels && !std::is_same<Value, Item>::value) {
     std::vector<Value> labels;
-    for (std::size_t i = 0; i < faces(mesh).size(); ++i)
-      labels.push_back(internal::converted_label<Value>(values[i]));
+    for ([[maybe_unused]] const auto f : faces(mesh))
+      labels.push_back(internal::converted_label<Value>(values[labels.size()]));
     return write_face_values(mesh, labels, map);
   }
   std::size_t i = 0;
   for (auto f : faces(mesh))
     put(map, f, Value(values[i++]));
 }
+
 namespace internal {
 
 /// The partition of the faces of a mesh, in iteration order, by the labels that a property map

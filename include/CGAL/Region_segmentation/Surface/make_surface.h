@@ -189,6 +189,7 @@ Surface make_surface(const FaceGraph& mesh,
 /// \tparam PointRange a range whose value type is a model of `Kernel::Point_3`, or has `operator[]`
 ///         for its coordinates
 /// \tparam PolygonRange a range of ranges of indices of points
+/// \param points, polygons the points, and the polygons of their indices
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///        `constrained_edges`, `component_links`, `visitor` (stage "reading"); see
 ///        `segment_polygon_soup()`

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_TWO_STEP_DETECT_FEATURE_EDGES_H
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <CGAL/assertions.h>

@@ -109,6 +109,8 @@ inline void add_feature_edges(const Surface& surface, const std::vector<std::uin
       graph[e] = Feature_edge_role::FIXED;
   };
   for_each_side_of_surface(surface, [&](auto, auto v, auto w, Surface::Index a) {
+    if (v == w)
+      return; // a side of no length
     if (a == Surface::none || surface.has_flag(a, Surface::CONSTRAINED))
       add(v, w, Feature_edge_role::FIXED);
     else if (surface.has_flag(a, Surface::barrier)) // a seam

@@ -28,13 +28,13 @@ struct Compared_section
 {
   Section_descriptor descriptor;
   std::uint32_t neighbor;
-  double length, angle; // L, A; 0 without weight
+  double length, angle; // L and A; 0 if the weight of the length, or of the angle, is 0
   bool is_mergeable;
 };
 using Compared_sections = boost::container::small_vector<Compared_section, 16>;
 
-/// Returns the sections of a region that eq. 3 compares: all of them if links alone can be merged
-/// across, else those that are not of links alone.
+/// Returns the sections of a region that eq. 3 compares. Sections that consist of links alone are
+/// among them only if the region has no other section that can be merged across.
 template <typename Graph>
 Compared_sections compared_sections(const Graph& graph, std::uint32_t region, double beta)
 {
@@ -50,12 +50,13 @@ Compared_sections compared_sections(const Graph& graph, std::uint32_t region, do
   return result;
 }
 
-/// Returns the flattest of the mergeable sections that are longer than `longest`, of equally flat
-/// ones the longest, of these that to the lowest neighbor; null if there is none.
+/// Returns the flattest of the mergeable sections that are longer than `longest`; ties: the longest
+/// one, then the lowest neighbor. Null if there is none.
 ///
-/// P_ij grows with L_i and A_i, so only a section that is longer than all flatter ones can have the
-/// largest sum. Usually these are a few; with the sums of all sections, `Two_step` took 1.9 times
-/// as long for 1000 segments of a noisy mesh of 1 million faces.
+/// The sum of eq. 3 grows with the length and the angle of a section, so only a section that is
+/// longer than all flatter ones can have the largest sum. Usually these are few: with the sums of
+/// all sections, `Two_step` took 1.9 times as long for 1000 segments of a noisy mesh of 1 million
+/// faces.
 inline const Compared_section* flattest_longer_than(const Compared_sections& sections,
                                                     double longest)
 {

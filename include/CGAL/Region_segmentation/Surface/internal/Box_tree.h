@@ -4,11 +4,11 @@
 #define CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_BOX_TREE_H
 
 #include <CGAL/Region_segmentation/Support/Double_3.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -49,8 +49,8 @@ Double_3 to_double_3(const Point& p)
   return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
 }
 
-/// A surface while it is made. It owns the arrays until `finish()`; its phases are the member
-/// functions, which are called in the order in which they are declared.
+/// A surface while it is made. It owns the arrays until `finish()`. Its phases are the member
+/// functions, which `build_surface()` calls.
 ///
 /// A *side* of a face leads from one of its corners to the next one, and has the index of that
 /// corner. A side is *open* if the face across it is not known.
@@ -118,7 +118,6 @@ public:
   /// \name Sewing of open sides, in open_sides.h and sew_sides.h
   /// @{
   void merge_vertices_of_open_sides();
-  void compute_normals(const Execution& execution);
   void separate_doubled_faces();
   void match_open_sides();
   /// @}
@@ -127,8 +126,9 @@ public:
   /// orient_faces.h.
   void orient_faces();
 
-  /// \name Adjacencies, in collect_adjacencies.h
+  /// \name Normals and adjacencies, in collect_adjacencies.h
   /// @{
+  void compute_normals(const Execution& execution);
   void collect_adjacencies(const Execution& execution);
   void insert_adjacencies(const std::vector<Added_adjacency>& added);
   void set_signs();
@@ -142,7 +142,8 @@ public:
   /// Links components and marks crumbs, in find_links.h.
   void link_components(const Execution& execution);
 
-  /// Moves the vertices to other points. A degenerate face stays degenerate, with its area.
+  /// Moves the vertices to other points. Normals, areas and signs of angles follow them; lengths
+  /// and links stay. A degenerate face stays degenerate, with its area.
   void set_points(Large_array<Double_3> points, const Execution& execution)
   {
     const Large_array<Double_3> old_normals = m_normals;

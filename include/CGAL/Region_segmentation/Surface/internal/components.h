@@ -35,9 +35,9 @@ Index root_in_forest(Parents& parents, Index i)
   return parent;
 }
 
-/// A forest over the faces in which a parent is never above its child: the root of a tree is its
-/// lowest face, independently of the order of unions, so the array of parents becomes the array of
-/// labels, numbered by first faces.
+/// A forest over elements, such as faces, in which a parent is never above its child: the root of a
+/// tree is its lowest element, independently of the order of unions, so the array of parents
+/// becomes the array of labels, numbered by first elements.
 /// (`boost::disjoint_sets` keeps a second array, and its roots depend on the order of unions.)
 ///
 /// Threads may unite concurrently, each within its own range of faces.
@@ -51,12 +51,12 @@ public:
   {
     std::iota(m_parents.begin(), m_parents.end(), Index(0));
   }
-  /// Makes a forest of existing trees: `roots[f]` is the root of face f.
+  /// Makes a forest of existing trees: `roots[f]` is the root of element f.
   explicit Lowest_root_forest(Partition::Numbers roots)
     : m_parents(std::move(roots))
   {}
 
-  /// Unites the trees of two faces. Returns whether these were different.
+  /// Unites the trees of two elements. Returns whether these were different.
   bool unite(Index a, Index b)
   {
     a = root(a);
@@ -67,7 +67,7 @@ public:
     return true;
   }
 
-  /// The lowest face of the tree of a face.
+  /// The lowest element of the tree of an element.
   Index root(Index i) { return root_in_forest(m_parents, i); }
 
   /// The trees as parts. The forest is empty afterwards.

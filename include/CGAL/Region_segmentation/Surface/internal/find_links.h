@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
 #include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
@@ -64,14 +63,15 @@ private:
     Index face = none, other = none;
   };
 
-  /// Links each face with the nearest one of another component that is in contact with it. Two
-  /// faces are in contact within the least of the square roots of their areas, and 1/250 of those
-  /// of the areas of their components: so neither a large body nor a crumb far away changes what
-  /// parts touch each other. The lengths of all links come to about the border of the area of
-  /// contact, of which each side counts by halves, however fine the faces are.
+  /// Links each face with the nearest face of another component that is in contact with it. Two
+  /// faces are in contact if their distance is less than the square root of the area of either
+  /// face, and less than 1/250 of the square root of the area of either component: so neither a
+  /// large body nor a crumb far away changes which parts touch each other. However fine the faces
+  /// are, the lengths of the links between two components add up to about the length of the border
+  /// of their contact: the faces of either component count half of it.
   void add_contacts()
   {
-    std::vector<double> bounds = part_areas(m_surface, m_component_of); // squared
+    std::vector<double> bounds = part_areas(m_surface, m_component_of); // of squared distances
     for (double& bound : bounds)
       bound /= 250 * 250;
     const auto bound_of_face = [&](Index f) {

@@ -73,7 +73,7 @@ inline std::vector<double> Surface_builder::shortest_open_sides() const
   return result;
 }
 
-/// Unites vertices at open sides whose points are equal. Returns how many there are less.
+/// Unites vertices at open sides whose points are equal. Returns the number of unions.
 /// `open_sides`: by vertex, see `shortest_open_sides()`
 inline std::size_t unite_equal_points(const Surface& surface, const std::vector<double>& open_sides,
                                       Lowest_root_forest& merged)
@@ -96,10 +96,10 @@ inline std::size_t unite_equal_points(const Surface& surface, const std::vector<
   return number;
 }
 
-/// Unites vertices at open sides whose coordinates differ by at most the tolerance of either
-/// vertex: the distance of two numbers of single precision at the largest coordinate, twice, but at
-/// most a tenth of the shortest open side at the vertex, so that no side vanishes. Returns how many
-/// there are less.
+/// Unites vertices at open sides where no coordinate differs by more than the tolerance of either
+/// vertex. This is 2^-22 of the largest coordinate of the surface, two steps of single precision,
+/// but at most a tenth of the shortest open side at the vertex, so that no side vanishes.
+/// Returns the number of unions.
 inline std::size_t unite_near_points(const Surface& surface, const std::vector<double>& open_sides,
                                      double largest_coordinate, Lowest_root_forest& merged)
 {

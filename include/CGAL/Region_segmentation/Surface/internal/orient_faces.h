@@ -167,8 +167,11 @@ inline std::vector<Component_volume> component_volumes(const Surface& surface)
     component.area_vector = component.area_vector + face;
     component.volume += dot(
       surface.point(surface.corner(f, 0)) - surface.point(surface.corner(0, 0)), face);
-    for (std::size_t i = 0; i < surface.number_of_corners(f) && !surface.is_degenerate(f); ++i)
-      component.has_border |= surface.adjacency(f, i) == Surface::none;
+    std::size_t i = 0;
+    for_each_side(surface, f, [&](Index v, Index w) { // a side of no length is no border
+      component.has_border |= surface.adjacency(f, i++) == Surface::none && v != w &&
+                              !surface.is_degenerate(f);
+    });
   }
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
     if (surface.has_flag(a, Surface::SEAM))
@@ -178,7 +181,7 @@ inline std::vector<Component_volume> component_volumes(const Surface& surface)
 }
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
-/// components inside them, and sets the signs of angles that this changes, and those of seams.
+/// components inside them. Sets the signs of all angles, if there are such components or seams.
 inline void Surface_builder::orient_components()
 {
   std::vector<bool> is_closed, is_inside_out;

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,19 +58,27 @@ public:
   }
 
 private:
-  /// Joins the sides of two bodies that touch: that of either twin with the other one that runs in
-  /// the opposite direction. Returns whether there are twins.
+  /// Joins the sides of two bodies that touch: each of two twins with the other side that runs in
+  /// the opposite direction. Returns whether there are twins, and one such side for each.
   template <typename Sides>
   bool join_bodies(const Sides& sides)
   {
+    if (sides.size() != 4)
+      return false;
     for (const Open_side& s : sides)
-      for (const Open_side& t : sides)
-        if (m_builder.are_twins(s.face, t.face)) {
-          for (const Open_side& u : sides)
-            if (u.face != s.face && u.face != t.face)
-              join(is_forward(u) != is_forward(s) ? s : t, u);
-          return true;
-        }
+      for (const Open_side& t : sides) {
+        if (!m_builder.are_twins(s.face, t.face))
+          continue;
+        const Open_side *opposite_to_s = nullptr, *opposite_to_t = nullptr;
+        for (const Open_side& u : sides)
+          if (u.face != s.face && u.face != t.face)
+            (is_forward(u) != is_forward(s) ? opposite_to_s : opposite_to_t) = &u;
+        if (!opposite_to_s || !opposite_to_t)
+          return false;
+        join(s, *opposite_to_s);
+        join(t, *opposite_to_t);
+        return true;
+      }
     return false;
   }
 
