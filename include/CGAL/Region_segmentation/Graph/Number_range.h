@@ -64,6 +64,7 @@ protected:
                   internal::label_components(
                     mesh, [](std::size_t) { return true; }, Execution())
                     .number_of_parts();
+      number = (std::min)(number, tree.number_of_regions());
       return {number, number};
     }
     const std::size_t least = (std::max)((std::min)(tree.number_of_regions(), minimum_number),

@@ -91,7 +91,7 @@ std::size_t write_edge_values(const FaceGraph& mesh, const Surface& surface,
                                             : marks[a] || surface.has_flag(a, Surface::CONSTRAINED);
     put(map, e, Value(is_true));
     if (is_true) // the edge is visited from each of its faces
-      number_of_sides += CGAL::is_border(e, mesh) ? 2 : 1;
+      number_of_sides += CGAL::is_border(e, mesh) ? 2u : 1u;
   });
   return number_of_sides / 2;
 }
