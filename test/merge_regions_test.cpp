@@ -176,7 +176,7 @@ TEST(Merge_regions_test, a_policy_whose_cost_is_not_a_number_is_an_error)
 /// of 20 small squares over the second one, with which its contact is longest.
 Soup crumb_over_two_plates()
 {
-  const double u = 0.005, height = 1e-6;
+  const double u = 1. / 256, height = 1e-6; // sums of u are exact
   Soup soup;
   const auto add = [&](const std::vector<Point>& corners) {
     Polygon polygon;
