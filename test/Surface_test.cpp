@@ -650,8 +650,9 @@ TEST(Doubled_faces_test, beside_more_than_two_bodies_are_sewn)
       expect_consistent_corners(surface);
       for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
         for (std::size_t side = 0; side < surface.number_of_corners(f); ++side)
-          if (const auto a = surface.adjacency(f, side); a != RS::Surface::none)
+          if (const auto a = surface.adjacency(f, side); a != RS::Surface::none) {
             EXPECT_TRUE(surface.lower_face(a) == f || surface.higher_face(a) == f);
+          }
     }
   }
 }

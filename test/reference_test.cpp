@@ -186,8 +186,9 @@ TEST(Reference_ties_test, break_the_same_way_where_the_numbers_are_exact)
       const auto expected = reference::two_step(soup.points, soup.polygons, options);
       const Result result = run(soup, options);
       SCOPED_TRACE(std::to_string(soup.polygons.size()) + " faces, k " + std::to_string(k));
-      if (!differs_by_a_tie(soup, options, expected, result.tree))
+      if (!differs_by_a_tie(soup, options, expected, result.tree)) {
         EXPECT_EQ(result.segments, expected.segment_id);
+      }
     }
 }
 
@@ -232,8 +233,9 @@ void expect_no_difference_but_by_rounding(const Soup& soup, std::mt19937& random
                    std::to_string(options.k));
       const auto expected = reference::two_step(soup.points, soup.polygons, options);
       const Result result = run(soup, options);
-      if (!differs_by_a_tie(soup, options, expected, result.tree))
+      if (!differs_by_a_tie(soup, options, expected, result.tree)) {
         EXPECT_EQ(result.segments, expected.segment_id);
+      }
     }
 }
 
