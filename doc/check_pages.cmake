@@ -11,7 +11,7 @@ set(doc ${ROOT}/doc/Region_segmentation)
 set(largest_figure 300000) # bytes
 
 # Headers that only include others, define macros, or are documented by the page of named parameters.
-set(without_group evaluation.h parameters.h version.h)
+set(without_group Evaluation/evaluation.h Support/parameters.h Support/version.h)
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/include/CGAL/Region_segmentation ${ROOT}/include/CGAL/Region_segmentation/*.h)
 list(FILTER headers EXCLUDE REGEX "internal/")
 list(REMOVE_ITEM headers ${without_group})
