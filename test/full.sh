@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
 mkdir -p "$work"
 sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake make python3 libcgal-dev libeigen3-dev libgtest-dev \
-  libopenmesh-dev libcli11-dev libpng-dev libtbb-dev
+  libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev
 
 sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
 {
