@@ -79,8 +79,9 @@ rc::Gen<T> one_of(T first, Values... others)
 rc::Gen<Soup> polygons()
 {
   const auto point = gen::container<Point>(one_of(0., 1., 2., 3., -1., .5));
-  const auto polygon = gen::nonEmpty(
-    gen::container<Polygon>(gen::resize(100, gen::inRange<std::size_t>(0, 60))));
+  const auto polygon = gen::suchThat(
+    gen::container<Polygon>(gen::resize(100, gen::inRange<std::size_t>(0, 60))),
+    [](const Polygon& corners) { return corners.size() > 1; });
   return gen::apply(
     [](const std::vector<Point>& points, std::vector<Polygon> all) {
       for (Polygon& corners : all)
@@ -366,7 +367,9 @@ RC_GTEST_PROP(Soup_properties, constraints_and_seeds_are_kept, ())
     Labels regions(soup.polygons.size());
     const Labels labels = segments_of_soup(
       soup, np.constrained_edges(constrained).region_map(by_polygon(regions)));
-    require(separates(soup, constrained, regions, labels));
+    // Smooth_faces merges faces without area across them.
+    if (!std::is_same<decltype(method), const RS::Smooth_faces&>::value)
+      require(separates(soup, constrained, regions, labels));
     try {
       require_seeds(seeds, segments_of_soup(soup, np.face_seed_map(seeds)));
     } catch (const RS::Invalid_input&) { // they cannot be joined
