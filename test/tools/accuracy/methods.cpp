@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "segment_with.h"
-#include "thread_seconds.h"
+#include "methods.h"
 
 #include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/geometry_data.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 
+#include <CGAL/mesh_segmentation.h>
+
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace princeton_benchmark {
@@ -75,19 +78,49 @@ struct Concave_angle_merging
   }
 };
 
+/// A method that cannot choose the number.
+template <typename Segmentation_method>
+Method merging_method(const Segmentation_method& method)
+{
+  return {[method](const Mesh& mesh, std::optional<std::size_t> wanted, std::vector<int>& labels) {
+            return RS::segment(mesh, face_map(mesh, labels),
+                               RS::parameters::method(method).number_of_segments(wanted.value()));
+          },
+          true, false};
+}
+
+template <typename Segmentation_method>
+Method superfacet_method(std::size_t number_of_draws)
+{
+  Segmentation_method method;
+  if (number_of_draws > 0)
+    method.number_of_draws = number_of_draws;
+  return {[method](const Mesh& mesh, std::optional<std::size_t> wanted, std::vector<int>& labels) {
+            const auto map = face_map(mesh, labels);
+            const auto parameters = RS::parameters::method(method);
+            return wanted ? RS::segment(mesh, map, parameters.number_of_segments(*wanted))
+                          : RS::segment(mesh, map, parameters);
+          },
+          true, true};
+}
+
+std::size_t segment_by_sdf(const Mesh& mesh, std::optional<std::size_t>, std::vector<int>& labels)
+{
+  std::vector<double> diameters(num_faces(mesh));
+  const auto diameter_map = face_map(mesh, diameters);
+  CGAL::sdf_values(mesh, diameter_map);
+  return CGAL::segmentation_from_sdf_values(mesh, diameter_map, face_map(mesh, labels));
+}
+
 } // namespace
 
-Timed_segmentation segment_by_concave_angles(const Benchmark_mesh& mesh, Wanted_number number)
+std::map<std::string, Method> methods(std::size_t number_of_draws)
 {
-  Timed_segmentation result;
-  result.labels.resize(num_faces(mesh));
-  const double start = thread_seconds();
-  result.number_of_segments = RS::segment(
-    mesh, face_map(mesh, result.labels),
-    RS::parameters::method(Concave_angle_merging()).number_of_segments(number.value()));
-  result.seconds.merging = thread_seconds() - start;
-  result.number_of_regions = num_faces(mesh);
-  return result;
+  return {{"learned", superfacet_method<RS::Learned_merging>(number_of_draws)},
+          {"visibility", superfacet_method<RS::Visibility_merging>(number_of_draws)},
+          {"two-step", merging_method(RS::Two_step())},
+          {"concave-angles", merging_method(Concave_angle_merging())},
+          {"sdf", {segment_by_sdf, false, true}}};
 }
 
 } // namespace princeton_benchmark
