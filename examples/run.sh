@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh [MESH] [K]: segments a mesh into K parts; without a mesh, a model that the program builds.
+# run.sh [MESH] [K]: segments a mesh into K parts; without a mesh, the model of the program, a figure of ten parts.
 #
 # Installs what is missing by apt, or, where there is no apt, says what is; builds the program in
 # release mode into build/, and runs it. The result is written in the folder from which this is

@@ -5,7 +5,6 @@
 #include "batch/plan_jobs.h"
 #include "batch/run_batch.h"
 #include "command_line/command_line.h"
-#include "demo/articulated_figure.h"
 #include "read/errors.h"
 #include "write/Whole_file.h"
 
@@ -57,7 +56,7 @@ int main(int argc, char** argv)
     const std::optional<Options> options = parse_command_line(argc, argv);
     if (!options) // help or the like was written
       return std::cout.flush() ? DONE : FAILED;
-    const std::vector<Job> jobs = plan_jobs(*options, articulated_figure);
+    const std::vector<Job> jobs = plan_jobs(*options, demo_model);
     std::optional<tbb::global_control> limit;
     if (options->number_of_threads > 0)
       limit.emplace(tbb::global_control::max_allowed_parallelism, options->number_of_threads);

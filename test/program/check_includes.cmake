@@ -1,7 +1,7 @@
 # cmake -D PROGRAM=examples/segment_mesh -P check_includes.cmake: no folder of the program includes a later one.
 cmake_minimum_required(VERSION 3.16)
 
-set(folders soup demo view segmentation page read write batch command_line)
+set(folders soup view segmentation page read write batch command_line)
 
 file(GLOB entries RELATIVE ${PROGRAM} ${PROGRAM}/*)
 foreach(entry IN LISTS entries)

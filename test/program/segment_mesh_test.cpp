@@ -25,11 +25,11 @@ TEST_F(Program, segments_its_own_model)
   EXPECT_EQ(outcome.status, 0);
   EXPECT_TRUE(std::regex_match(
     outcome.out,
-    std::regex("articulated_figure: [0-9]+ faces, [0-9]+ regions, 10 segments" + time_at_end +
+    std::regex("figure: [0-9]+ faces, [0-9]+ regions, 10 segments" + time_at_end +
                "  true parts: Rand index distance 0\\.0[0-9]{3}, cut discrepancy .*\n")))
     << outcome.out;
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(folder.names(), Names{"articulated_figure.seg"});
+  EXPECT_EQ(folder.names(), Names{"figure.seg"});
 }
 
 TEST_F(Program, prints_a_line_for_an_input)

@@ -4,7 +4,7 @@
 #include "write/write_segmentation.h"
 
 #include "Temporary_folder.h"
-#include "demo/articulated_figure.h"
+#include "read/read_mesh.h"
 #include "view/segment_colors.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -32,7 +32,7 @@ class Written : public testing::Test
 protected:
   static void SetUpTestSuite()
   {
-    s_input.soup = make_articulated_figure().soup;
+    s_input = read_mesh(FIGURE);
     s_settings.number_of_segments = 10;
     s_settings.method = Method::TWO_STEP;
     s_segmentation = run_segmentation(s_input.soup, {}, s_settings, {});

@@ -24,7 +24,7 @@ struct Options
 {
   std::vector<std::string> inputs;
   std::optional<Mesh_format> input_format; ///< of all inputs; if empty, what their endings name
-  bool is_demo = false;                    ///< the model that the program builds, instead of inputs
+  bool is_demo = false;                    ///< the model of the program, instead of inputs
   std::vector<Output> outputs;
   std::vector<std::string> truths;
   Side_files side_files;
@@ -38,8 +38,7 @@ struct Options
 /// One input and what becomes of it.
 struct Job
 {
-  std::string input; ///< a file, `-` for standard input, or the name of a model that the program
-                     ///< makes
+  std::string input; ///< a file, `-` for standard input, or the name of the model
   bool is_model = false;
   std::vector<Output> outputs;
   std::vector<std::string> truths;

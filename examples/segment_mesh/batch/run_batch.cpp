@@ -4,7 +4,6 @@
 
 #include "batch/Progress_line.h"
 #include "batch/scores.h"
-#include "demo/articulated_figure.h"
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/read_marks.h"
@@ -22,6 +21,11 @@
 #include <utility>
 
 namespace segment_mesh {
+
+namespace embedded {
+extern const char* const figure_off;
+extern const char* const figure_seg;
+} // namespace embedded
 
 namespace {
 
@@ -45,10 +49,11 @@ Case load(const Job& job, const Options& options)
 {
   Case result;
   if (job.is_model) {
-    Articulated_figure figure = make_articulated_figure();
-    result.truths.push_back({"true parts", std::move(figure.part_of_face)});
-    result.true_number_of_segments = figure.number_of_parts;
-    result.mesh.soup = std::move(figure.soup);
+    result.mesh = parse_mesh(job.input, Mesh_format::OFF, embedded::figure_off);
+    result.truths.push_back(
+      parse_truth("true parts", embedded::figure_seg, result.mesh.soup.polygons.size()));
+    const std::vector<std::int64_t>& parts = result.truths.front().labels;
+    result.true_number_of_segments = std::size_t(*std::max_element(parts.begin(), parts.end())) + 1;
   } else {
     result.mesh = read_mesh(job.input, options.input_format);
   }

@@ -84,15 +84,20 @@ Truth read_truth(const std::string& file, std::size_t number_of_faces)
   constexpr std::size_t longest_line = 21; // a label is an integer of 64 bits
   const std::string bytes = load_bytes(file,
                                        (std::max)(harmless_size, longest_line * number_of_faces));
-  Text_scanner scan(file, bytes, '#');
-  Truth truth{file, {}};
+  return parse_truth(file, bytes, number_of_faces);
+}
+
+Truth parse_truth(const std::string& name, std::string_view bytes, std::size_t number_of_faces)
+{
+  Text_scanner scan(name, bytes, '#');
+  Truth truth{name, {}};
   while (scan.next_line()) {
     truth.labels.push_back(scan.integer(scan.word(), "a label"));
     if (scan.has_word())
       scan.fail("more than one label on a line");
   }
   if (truth.labels.size() != number_of_faces)
-    throw Input_error(file, counted(truth.labels.size(), "label") + " for " +
+    throw Input_error(name, counted(truth.labels.size(), "label") + " for " +
                               counted(number_of_faces, "face"));
   return truth;
 }

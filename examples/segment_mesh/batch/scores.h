@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace segment_mesh {
@@ -22,6 +23,9 @@ struct Truth
 /// Reads a .seg file: a label a line.
 /// \throws Input_error unless it has a label for each of `number_of_faces` faces
 Truth read_truth(const std::string& file, std::size_t number_of_faces);
+
+/// The same from the bytes of such a file. `name`: of the truth, also in messages
+Truth parse_truth(const std::string& name, std::string_view bytes, std::size_t number_of_faces);
 
 /// The measures against each truth, a line each, and a line of means if there are several;
 /// each line ends with a newline. They are taken on `make_manifold()` of the input.

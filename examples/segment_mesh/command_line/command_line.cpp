@@ -123,7 +123,7 @@ inputs are processed one after the other.)");
 extension that they would have, without the dot.
 Needed for standard input.)")
     ->check(one_of(formats));
-  input.add_flag("--demo", R"(Instead of an INPUT: a figure that the program builds.
+  input.add_flag("--demo", R"(Instead of an INPUT: a figure that the program has.
 It knows the parts: their number is the default of -k,
 and the score against them is printed.)");
   input.add("--labels", raw.options.side_files.labels, "FILE.seg",

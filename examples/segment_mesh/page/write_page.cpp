@@ -25,8 +25,8 @@ extern const char* const merge_tree_js;
 extern const char* const page_js;
 extern const char* const read_arrays_js;
 extern const char* const show_saved_js;
-extern const char* const three_js;
-extern const char* const controls_js;
+extern const char* const three_min_js;
+extern const char* const TrackballControls_js;
 } // namespace embedded
 /// @}
 
@@ -85,8 +85,8 @@ void write_page(std::ostream& out, const Page_content& content)
                                                     {"ENGINE", ""},
                                                     {"CONTENT", json},
                                                     {"ARRAYS", arrays},
-                                                    {"THREE", embedded::three_js},
-                                                    {"CONTROLS", embedded::controls_js},
+                                                    {"THREE", embedded::three_min_js},
+                                                    {"CONTROLS", embedded::TrackballControls_js},
                                                     {"READ_ARRAYS", embedded::read_arrays_js},
                                                     {"MERGE_TREE", embedded::merge_tree_js},
                                                     {"MESH_VIEW", embedded::mesh_view_js},
