@@ -164,18 +164,20 @@ void write(std::ostream& out, const std::string& ending, const Labelled_mesh& me
     write_ply(out, mesh);
 }
 
-/// The opened mesh with segments.
-Labelled_mesh labelled(const std::vector<std::size_t>& segment_of_face)
+/// The opened mesh with segments, whose names are those that the page shows.
+Labelled_mesh labelled(const std::vector<std::size_t>& segment_of_face, const val& names)
 {
-  return {opened->mesh.soup, segment_of_face, {}, opened->mesh.properties};
+  return {opened->mesh.soup, segment_of_face, emscripten::vecFromJSArray<std::string>(names),
+          opened->mesh.properties};
 }
 
 /// The bytes of a file of the mesh, colored by `labels`.
-val write_mesh(const std::string& ending, const val& labels)
+val write_mesh(const std::string& ending, const val& labels, const val& names)
 {
   return answer([&] {
     std::ostringstream out;
-    write(out, ending, labelled(to_indices(labels)));
+    const std::vector<std::size_t> segment_of_face = to_indices(labels);
+    write(out, ending, labelled(segment_of_face, names));
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;
@@ -183,7 +185,7 @@ val write_mesh(const std::string& ending, const val& labels)
 }
 
 /// The bytes of a file of the faces with a label.
-val write_part(const std::string& ending, const val& labels, unsigned label)
+val write_part(const std::string& ending, const val& labels, const val& names, unsigned label)
 {
   return answer([&] {
     const std::vector<std::size_t> segment_of_face = to_indices(labels);
@@ -191,10 +193,11 @@ val write_part(const std::string& ending, const val& labels, unsigned label)
     for (std::size_t f = 0; f < segment_of_face.size(); ++f)
       if (segment_of_face[f] == label)
         faces.push_back(f);
-    const Mesh_part part = extract_faces(labelled(segment_of_face), faces);
+    const Labelled_mesh mesh = labelled(segment_of_face, names);
+    const Mesh_part part = extract_faces(mesh, faces);
     std::ostringstream out;
     write(out, ending,
-          {part.soup, std::vector<std::size_t>(faces.size(), label), {}, part.properties});
+          {part.soup, std::vector<std::size_t>(faces.size(), label), mesh.names, part.properties});
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;

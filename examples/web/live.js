@@ -164,7 +164,7 @@ class LivePage extends Page {
   saveMesh() {
     const ending = element("format").value;
     return this.work(async () => {
-      const {bytes} = await this.engine.run(this.file, "writeMesh", ending, this.labelsOfFaces());
+      const {bytes} = await this.engine.run(this.file, "writeMesh", ending, this.labelsOfFaces(), this.namesOfNodes());
       this.save(new Blob([bytes]), ending);
     });
   }
@@ -172,10 +172,12 @@ class LivePage extends Page {
   savePart(node) {
     const ending = element("format").value, segment = this.indexOf(node);
     return this.work(async () => {
-      const {bytes} = await this.engine.run(this.file, "writePart", ending, this.labelsOfFaces(), segment);
+      const {bytes} = await this.engine.run(this.file, "writePart", ending, this.labelsOfFaces(), this.namesOfNodes(), segment);
       this.save(new Blob([bytes]), "_part_" + segment + ending);
     });
   }
+
+  namesOfNodes() { return this.nodes.map(node => this.nameOf(node)); }
 
   labelsOfFaces() { return this.arrays.regions.map(region => this.segmentOfRegion[region]); }
 

@@ -4,6 +4,7 @@
 Moves the slider, splits, joins, undoes and saves as a user does; leaves a screenshot in PICTURE. Needs Debian's chromium,
 chromium-driver and python3-selenium; without them it is skipped."""
 
+import csv
 import json
 import pathlib
 import shutil
@@ -293,6 +294,29 @@ def check_faces_of_no_segment(program, browser, folder):
     assert saved_labels(folder / "none_3.seg").count("-1") == labels.count("-1")
 
 
+def check_names(program, browser, folder):
+    """They are those of all outputs, also of segments whose numbers are not in the order of their first faces."""
+    flange = pathlib.Path(__file__).parents[2] / "examples" / "data" / "flange.off"
+    for mesh, options in ((flange, ["--method", "smooth-faces"]), (folder / "none.off", ["--labels", "turned.seg"])):
+        (folder / "turned.seg").write_text("".join(f"{3 - int(x)}\n" if 0 <= int(x) < 4 else "-1\n" for x in
+                                                  (folder / "none.seg").read_text().split()))
+        subprocess.run([program, mesh, *options, "-q", "-o", "names.html", "-o", "names.csv"], cwd=folder, check=True)
+        page = Page(browser, folder / "names.html")
+        with open(folder / "names.csv", newline="") as table:
+            expected = {row["name"]: row["faces"] for row in csv.DictReader(table)}
+        shown = browser.execute_script(
+            """const {page} = window, faces = {};
+               for (const item of document.querySelectorAll("#list li[data-node]"))
+                 faces[item.querySelector("b").textContent] = page.measures[page.indexOf(Number(item.dataset.node))].faces;
+               return faces;""")
+        assert {name: str(faces) for name, faces in shown.items() if name != "No segment"} == expected, (shown, expected)
+    page.press("[data-tool=join]")
+    for segment in list(page.places())[:2]:
+        page.click(page.places()[segment])
+    names = [item.text for item in browser.find_elements(By.CSS_SELECTOR, "#list b")]
+    assert sorted(names) == ["No segment", "segment_0", "segment_1", "segment_2"], names
+
+
 def test(program, picture, folder):
     number_of_faces = make_mesh(program, folder)
     k = 12
@@ -342,7 +366,7 @@ def test(program, picture, folder):
         segment, place = list(page.places().items())[-1]
         page.move_to(place).perform()
         tip = page.element("tip").text
-        assert tip.split()[:2] == ["Segment", str(segment)], tip
+        assert tip.split()[0] == f"segment_{segment}", tip
         page.click(place)
         description = browser.find_element(By.CSS_SELECTOR, "#list li.selected dl").text
         assert "Area" in description and "Neighbors" in description, description
@@ -379,6 +403,7 @@ def test(program, picture, folder):
         page.press("#save-labels")
         assert partition_of(saved_labels(folder / f"a_{k + 3}.seg")) == before
         check_faces_of_no_segment(program, browser, folder)
+        check_names(program, browser, folder)
         errors = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
         assert not errors, json.dumps(errors)
     finally:

@@ -54,6 +54,7 @@ class Page {
     this.addShapes(content.shapes || []);
     const first = this.tree.partition(content.segments);
     this.colors = this.tree.colors(first);
+    this.names = new Map(content.names.map((name, i) => [first[i], name]));
     if (content.coloring) element("coloring").value = content.coloring;
     this.view.setRegions(arrays.regions, content.regions);
     this.history = [];
@@ -197,7 +198,15 @@ class Page {
   // Names and colors.
 
   indexOf(node) { return this.nodes.indexOf(node); }
-  nameOf(node) { return node === this.content.none ? "No segment" : "Segment " + this.indexOf(node); }
+
+  /// As in all outputs of the program. What the user splits and joins is named by its number, and so is what has no other name
+  /// beside it.
+  nameOf(node) {
+    if (node === this.content.none) return "No segment";
+    const name = this.names.get(node), isUnchanged = this.nodes.every(n => this.names.has(n) || n === this.content.none);
+    return name && (isUnchanged || !name.startsWith("segment_")) ? name : "segment_" + this.indexOf(node);
+  }
+
   colorOf(node) {
     if (node === this.content.none) return [96, 96, 96];
     if (element("coloring").value === "kinds") return kindColors[this.kindOf(node)];
@@ -296,7 +305,7 @@ class Page {
     }
     lines.push(["Border", number(measures.border)]);
     const neighbors = Array.from(measures.neighbors.keys()).sort((a, b) => a - b);
-    lines.push(["Neighbors", neighbors.length > 0 ? neighbors.join(", ") : "none"]);
+    lines.push(["Neighbors", neighbors.length > 0 ? neighbors.map(i => this.nameOf(this.nodes[i])).join(", ") : "none"]);
     const list = document.createElement("dl");
     for (const [term, text] of lines) {
       const dt = document.createElement("dt"), dd = document.createElement("dd");

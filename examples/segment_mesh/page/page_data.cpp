@@ -15,6 +15,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -150,6 +153,18 @@ ordered_json none_region(const Segmentation& segmentation)
            : ordered_json(segmentation.region_of_face[std::size_t(none - segments.begin())]);
 }
 
+/// The names of the segments, by their first faces, as the page orders them.
+std::vector<std::string> names_by_first_faces(const Page_content& content)
+{
+  const std::vector<std::string> names = content.details.names();
+  std::vector<char> is_listed(names.size());
+  std::vector<std::string> result;
+  for (const std::size_t segment : content.segmentation.segment_of_face)
+    if (segment < names.size() && !std::exchange(is_listed[segment], true))
+      result.push_back(names[segment]);
+  return result;
+}
+
 ordered_json content_json(const Page_content& content, const Array_file& file)
 {
   const Segmentation& segmentation = content.segmentation;
@@ -159,6 +174,7 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
                                                content.up);
   return {{"name", content.name},
           {"segments", segmentation.number_of_segments},
+          {"names", names_by_first_faces(content)},
           {"regions", segmentation.number_of_regions},
           {"greatest", greatest},
           {"none", none_region(segmentation)},
