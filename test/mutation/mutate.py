@@ -369,7 +369,8 @@ class Library:
 
 class Program(Library):
     folder = pathlib.PurePath("examples/segment_mesh")
-    test_files = ("program/*",)
+    test_files = ("program/*", "program/transcripts/*")
+    transcripts = "^transcript\\."
 
     def compile(self):
         build = self.options.work / "build"
@@ -378,11 +379,22 @@ class Program(Library):
                         "-DCMAKE_CXX_FLAGS=-O1 -w -fmax-errors=200 -include %s" % (self.options.work / "mutant.h")],
                        check=True, stdout=subprocess.DEVNULL)
         result = subprocess.run(["cmake", "--build", str(build), "-j", str(self.options.compile_jobs), "--target",
-                                 "program_test", "--", "-k"], capture_output=True, text=True)
+                                 "program_test", "segment_mesh", "--", "-k"], capture_output=True, text=True)
         return [result.stderr] if result.returncode else []
 
     def test_program(self):
         return self.options.work / "build/bin/program_test"
+
+    def run(self, number, tests, seconds):
+        if tests != self.transcripts:
+            return super().run(number, tests, seconds)
+        command = ["ctest", "--test-dir", str(self.options.work / "build"), "--stop-on-failure", "-R", tests]
+        return run(self.options, command, number, seconds, r"Test +#\d+: (\S+) .*\*\*\*")
+
+    def groups(self):
+        if self.run(0, self.transcripts, 3600)[1]:
+            sys.exit("the transcripts differ without a mutant")
+        return [*super().groups(), (self.transcripts, 600)]
 
 
 class Python(Library):
