@@ -357,19 +357,12 @@ RC_GTEST_PROP(Soup_properties, size_first_corners_and_unused_points_do_not_matte
   });
 }
 
-RC_GTEST_PROP(Soup_properties, constraints_and_seeds_are_kept, ())
+RC_GTEST_PROP(Soup_properties, seeds_are_kept, ())
 {
   const Soup soup = *gen::suchThat(tame_soup(), [](const Soup& s) { return !s.polygons.empty(); });
-  const std::set<Edge> constrained = *some_edges(soup);
   const Labels seeds = *some_seeds(soup);
   for_each_method([&](const auto& method) {
     const auto np = RP::number_of_segments(3).method(method);
-    Labels regions(soup.polygons.size());
-    const Labels labels = segments_of_soup(
-      soup, np.constrained_edges(constrained).region_map(by_polygon(regions)));
-    // Smooth_faces merges faces without area across them.
-    if (!std::is_same<decltype(method), const RS::Smooth_faces&>::value)
-      require(separates(soup, constrained, regions, labels));
     try {
       require_seeds(seeds, segments_of_soup(soup, np.face_seed_map(seeds)));
     } catch (const RS::Invalid_input&) { // they cannot be joined
