@@ -167,7 +167,10 @@ void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const H
                    [[maybe_unused]] const Pack& np)
 {
   if constexpr (has_parameter<Pack, internal_np::region_map_t>) {
-    auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
+    auto&& map = CGAL::parameters::get_parameter_reference(np, internal_np::region_map);
+    static_assert(std::is_lvalue_reference<decltype(map)>::value ||
+                    !is_range<std::decay_t<decltype(map)>>,
+                  "a range for region_map is passed by std::ref()");
     input.write(result.regions(), map);
   }
   if constexpr (has_parameter<Pack, internal_np::merge_tree_t>)
@@ -194,7 +197,7 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   const auto result = Calls::merge(method, surface, prepared, request, execution);
   const Partition segments = result.segments(result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
-    input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
+    input.check(CGAL::parameters::get_parameter_reference(np, internal_np::region_map),
                 result.regions().number_of_parts(), "first region");
   input.write(segments, segment_map);
   write_outputs(input, result, np);
