@@ -37,7 +37,7 @@ public:
   template <typename PairRange, typename Pack>
   void add_constraints(Surface& surface, const PairRange& pairs, const Pack&) const
   {
-    static_assert(is_range_of_pairs<PairRange>(),
+    static_assert(satisfies<Pair_size, PairRange>,
                   "the constraints of polygons are a range of pairs of indices of points");
     std::vector<Vertex_pair> edges;
     for (const auto& [v, w] : pairs) {
@@ -106,16 +106,10 @@ private:
       return satisfies<Has_key, Map, std::size_t>;
   }
 
-  /// Whether a type is a range of pairs. A property map of `bool` with iterators is not one.
+  /// Of a range of pairs. A property map of `bool` with iterators is not one.
   template <typename Range>
-  static constexpr bool is_range_of_pairs()
-  {
-    if constexpr (is_range<Range>)
-      return !std::is_arithmetic<
-        std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>>::value;
-    else
-      return false;
-  }
+  using Pair_size = decltype(std::tuple_size<std::decay_t<decltype(*std::begin(
+                               std::declval<const Range&>()))>>::value);
 
   template <typename Map>
   static auto value(const Map& map, std::size_t i)
