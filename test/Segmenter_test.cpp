@@ -101,6 +101,7 @@ TEST(Segmenter_test, gives_what_segment_gives)
     for (std::size_t k : {1, 2, 3, 7, 20, 39, 60, 1000}) {
       const auto np = RS::parameters::number_of_segments(k);
       expect_equal(RS::Segmenter(mesh, np), k, RS::Learned_merging());
+      EXPECT_EQ(segments_of(mesh, np), labels(RS::Segmenter(mesh, np), k)) << "by default";
       expect_equal(RS::Segmenter(mesh, np.method(visibility())), k, visibility());
       if (k <= 20) { // There are as many regions without a number.
         expect_equal(by_default, k, RS::Learned_merging());

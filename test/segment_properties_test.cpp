@@ -125,6 +125,30 @@ TEST(Motion_test, rotation_and_scaling_change_no_label)
   });
 }
 
+// Where costs of other methods are equal, as on a regular torus, they go by number.
+TEST(Motion_test, renumbering_renames_the_segments_of_two_step)
+{
+  for_each_random_mesh(all_families, 8, [](const Soup& soup, unsigned seed) {
+    if (number_of_proper_faces(soup) < soup.polygons.size())
+      return; // degenerate faces have ties, which go by number
+    std::mt19937 random(seed);
+    const Options options = random_options(random);
+    const Labels expected = run(soup, options).segments;
+    Soup other = soup;
+    std::vector<std::size_t> new_of_old;
+    shuffle_vertices(other, random, new_of_old);
+    const std::vector<Polygon> polygons = other.polygons;
+    const std::vector<std::size_t> order = random_order(polygons.size(), random);
+    Labels in_order;
+    for (std::size_t f = 0; f < order.size(); ++f) {
+      Polygon& p = other.polygons[f] = polygons[order[f]];
+      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(random() % p.size()), p.end());
+      in_order.push_back(expected[order[f]]);
+    }
+    EXPECT_EQ(run(other, options).segments, renumbered(in_order));
+  });
+}
+
 // Visitors, and outputs that stay as they were
 
 struct Outputs
