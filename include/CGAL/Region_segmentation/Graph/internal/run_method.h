@@ -166,13 +166,9 @@ template <typename Input, typename Pack>
 void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Hierarchy& result,
                    [[maybe_unused]] const Pack& np)
 {
-  if constexpr (has_parameter<Pack, internal_np::region_map_t>) {
-    auto&& map = CGAL::parameters::get_parameter_reference(np, internal_np::region_map);
-    static_assert(std::is_lvalue_reference<decltype(map)>::value ||
-                    !is_range<std::decay_t<decltype(map)>>,
-                  "a range for region_map is passed by std::ref()");
-    input.write(result.regions(), map);
-  }
+  if constexpr (has_parameter<Pack, internal_np::region_map_t>)
+    input.write(result.regions(),
+                CGAL::parameters::get_parameter_reference(np, internal_np::region_map));
   if constexpr (has_parameter<Pack, internal_np::merge_tree_t>)
     CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = result.merge_tree();
 }

@@ -76,14 +76,17 @@ public:
   }
 
   template <typename Values, typename Map>
-  void write(const Values& values, Map& map) const
+  void write(const Values& values, Map&& map) const
   {
+    using Labels = std::decay_t<Map>;
+    static_assert(std::is_lvalue_reference<Map>::value || !is_range<Labels>,
+                  "a range for region_map is passed by std::ref()");
     check(map, values.number_of_parts());
     for (std::size_t i = 0; i < m_number; ++i)
-      if constexpr (is_range<Map>)
+      if constexpr (is_range<Labels>)
         map[i] = std::decay_t<decltype(map[i])>(values[i]);
       else
-        put(map, i, typename boost::property_traits<Map>::value_type(values[i]));
+        put(map, i, typename boost::property_traits<Labels>::value_type(values[i]));
   }
 
 private:
