@@ -112,8 +112,8 @@ fs::path resolve_links(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
-  const fs::path resolved = fs::weakly_canonical(follow_links_to_nothing(fs::absolute(file)),
-                                                 error);
+  const fs::path path = follow_links_to_nothing(fs::absolute(file, error));
+  const fs::path resolved = fs::weakly_canonical(path, error);
   return error ? fs::path(file) : resolved;
 }
 
