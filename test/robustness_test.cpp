@@ -9,6 +9,7 @@
 
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
+#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
