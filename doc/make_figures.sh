@@ -69,16 +69,16 @@ view elephant elephant.off 60 15
 view camel_sdf camel.off -60 15 --labels "$work/camel.seg"
 row beside_sdf 320 elephant_sdf elephant camel_sdf camel
 
-view learned elephant.off 60 15 -k 10
-view visibility elephant.off 60 15 -k 10 --method visibility
-view two_step elephant.off 60 15 -k 10 --method two-step
-row methods 340 learned visibility two_step
+view default armadillo.off 200 10
+view visibility elk.off 60 15 --method visibility
+view two_step couplingdown.off 30 25 --method two-step --features all --max-angle 20 -k 12
+view smooth_faces anchor.off -10 25 --method smooth-faces
+row methods 300 default visibility two_step smooth_faces
 
 view joint_learned joint.off 50 25
 view joint_smooth joint.off 50 25 --method smooth-faces
-view anchor_smooth anchor.off -10 25 --method smooth-faces
 view rotor rotor.off 60 20 --method smooth-faces
-row machine_parts 280 joint_learned joint_smooth anchor_smooth rotor
+row machine_parts 280 joint_learned joint_smooth rotor
 
 # A part as few triangles, and the solid that is made of them, in many.
 to_step=$(dirname "$program")/mesh_to_step
@@ -103,14 +103,14 @@ view unseeded homer.off 20 10 -k 5
 view seeded homer.off 20 10 -k 5 --seeds "$work/dabs"
 row marks 360 k4 constrained unseeded seeded
 
+boards='0 6 0 30 7 16 0 20 0 30 21 16 0 34 0 30 35 16 0 48 0 30 49 16'
+posts='3 0 3 5 50 5 25 0 3 27 50 5 3 0 11 5 50 13 25 0 11 27 50 13'
+python3 "$here/mark_mesh.py" boxes $boards $posts >"$work/shelf.off"
 view sphere sphere.off -110 15 -k 2
-view planes head.off -80 10
+view legs cow.off 60 10
+view shelf "$work/shelf.off" 30 15
 view mask nefertiti.off 20 10
-row failures 320 sphere planes mask
-
-view growing fandisk.off 30 25 --method two-step --features all --max-angle 20 -k 19
-view creases couplingdown.off 30 25 --method two-step --features all --max-angle 20 -k 12
-row features 320 growing creases
+row failures 300 sphere legs shelf mask
 
 # The page, as a browser shows it.
 "$program" triceratops.off -o "$work/triceratops.html"

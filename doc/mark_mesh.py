@@ -4,8 +4,10 @@ across an axis (0, 1 or 2), of the faces around a point.
 mark_mesh.py dabs MESH.off RADIUS SEED X Y Z [SEED X Y Z]...: faces for --seeds, those around the one nearest to each point.
 mark_mesh.py rays MESH.off SUPERFACETS.seg LABELS.seg X Y Z A B C: the mesh without what is beyond the plane through the
 point with the normal (A, B, C), and the 12 rays of the superfacet at the point. Writes labels for it: 1 of this superfacet,
-others of those that it sees, 0 of the rest, -1 of rays."""
+others of those that it sees, 0 of the rest, -1 of rays.
+mark_mesh.py boxes X Y Z X Y Z [X Y Z X Y Z]...: the surface of the union of boxes with integer corners, in unit squares."""
 
+import itertools
 import math
 import sys
 
@@ -21,6 +23,14 @@ def read_off(file):
         faces.append(list(map(int, words[at + 1:at + 1 + size])))
         at += 1 + size
     return points, faces
+
+
+def write_off(points, faces):
+    print("OFF", len(points), len(faces), 0)
+    for p in points:
+        print(*p)
+    for face in faces:
+        print(len(face), *face)
 
 
 def minus(p, q):
@@ -131,15 +141,35 @@ def rays(points, faces, superfacet_file, label_file, point, normal):
         labels += [-1] * 3
     with open(label_file, "w", encoding="ascii") as file:
         print(*labels, sep="\n", file=file)
-    print("OFF", len(points), len(faces), 0)
-    for p in points:
-        print(*p)
-    for face in faces:
-        print(len(face), *face)
+    write_off(points, faces)
 
 
-def main(what, file, *words):
-    mesh = read_off(file)
+def boxes(corners):
+    """Each box has its lower and its upper corner."""
+    cubes = {cube for i in range(0, len(corners), 6)
+             for cube in itertools.product(*(range(corners[i + c], corners[i + 3 + c]) for c in range(3)))}
+    points, faces = {}, []
+    for cube in sorted(cubes):
+        for axis, side in itertools.product(range(3), (0, 1)):
+            neighbor = [x + (2 * side - 1) * (c == axis) for c, x in enumerate(cube)]
+            if tuple(neighbor) in cubes:
+                continue
+            square = []
+            for step in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                corner = list(cube)
+                corner[axis] += side
+                corner[(axis + 1) % 3] += step[0]
+                corner[(axis + 2) % 3] += step[1]
+                square.append(points.setdefault(tuple(corner), len(points)))
+            faces.append(square if side else square[::-1])
+    write_off(points, faces)
+
+
+def main(what, *words):
+    if what == "boxes":
+        boxes(list(map(int, words)))
+        return
+    mesh, words = read_off(words[0]), words[1:]
     if what == "rays":
         numbers = list(map(float, words[2:]))
         rays(*mesh, *words[:2], numbers[:3], numbers[3:])

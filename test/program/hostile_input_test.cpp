@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The table of hostile input in the manual: every row is run here.
+// Hostile input: every row of the table is run.
 
 #include "Program.h"
 #include "sample_files.h"
@@ -8,7 +8,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <fstream>
 #include <ostream>
 
 #include <sys/stat.h>
@@ -146,20 +145,5 @@ TEST_P(Hostile_input, is_dealt_with_as_the_manual_says)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, Hostile_input, testing::ValuesIn(rows));
-
-TEST(Hostile_input_table, is_in_the_manual)
-{
-  std::ifstream in(MANUAL);
-  const std::string manual(std::istreambuf_iterator<char>(in), {});
-  std::size_t at = manual.find("| given | what happens |\n|---|---|\n");
-  ASSERT_NE(at, std::string::npos);
-  at = manual.find("|---|---|\n", at) + 10;
-  for (const Row& row : rows) {
-    const std::string line = "| " + std::string(row.given) + " | " + row.happens + " |\n";
-    EXPECT_EQ(manual.substr(at, line.size()), line);
-    at += line.size();
-  }
-  EXPECT_NE(manual[at], '|') << "a row without a test";
-}
 
 } // namespace hostile_input_test

@@ -1,5 +1,5 @@
 # cmake -D ROOT=DIR -P check_rooms.cmake: in the library, includes run one way between the rooms, and no name is a macro of
-# Windows' headers; and CONTRIBUTING.md has a line for every folder.
+# Windows' headers; and CONTRIBUTING.md has a line for every room and every folder at the top.
 cmake_minimum_required(VERSION 3.16)
 
 # The rooms are the folders of include/CGAL/Region_segmentation, and this is the floor of each. A header includes headers of
@@ -57,17 +57,13 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
-# Folders of the tree, but for those that Python and its pip make.
+# Rooms, and the folders that hold the rest.
 file(READ ${ROOT}/CONTRIBUTING.md contributing)
-foreach(top include test examples doc cmake)
-  file(GLOB_RECURSE entries LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/${top}/*)
-  foreach(entry IN LISTS entries)
-    if(IS_DIRECTORY ${ROOT}/${entry} AND NOT entry MATCHES "^include/CGAL(/Region_segmentation(/[^/]+/internal)?)?$" AND NOT entry MATCHES "__pycache__|/build|egg-info")
-      string(REGEX REPLACE "^include/CGAL/Region_segmentation/" "" name ${entry})
-      string(FIND "${contributing}" "`${name}/`" position)
-      if(position EQUAL -1)
-        message(SEND_ERROR "CONTRIBUTING.md has no line for `${name}/`")
-      endif()
-    endif()
-  endforeach()
+file(GLOB rooms LIST_DIRECTORIES true RELATIVE ${library} ${library}/*)
+list(FILTER rooms EXCLUDE REGEX "[.]h$")
+foreach(folder IN LISTS rooms ITEMS test examples doc cmake)
+  string(FIND "${contributing}" "\n| `${folder}/` |" position)
+  if(position EQUAL -1)
+    message(SEND_ERROR "CONTRIBUTING.md has no line for `${folder}/`")
+  endif()
 endforeach()

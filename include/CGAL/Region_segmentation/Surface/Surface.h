@@ -130,7 +130,7 @@ public:
   /// segmented.
   double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
   /// Whether the area of a face is so small that its normal has no meaning, see \ref
-  /// RegionSegmentationTwoStep, or the face is a copy of a lower one.
+  /// RegionSegmentationSurface, or the face is a copy of a lower one.
   bool is_degenerate(std::size_t face) const
   {
     const Double_3& n = m_normals[face];
