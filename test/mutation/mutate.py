@@ -294,7 +294,7 @@ class Library:
     """What is broken: the library, all whose tests are compiled here. Each of the others has the same members."""
 
     folder = pathlib.PurePath("include/CGAL/Region_segmentation")
-    test_files = ("*.h", "*.cpp")
+    test_files = ("*.h", "*.cpp", "recorded_labels/*")
 
     def __init__(self, options):
         self.options = options
@@ -320,7 +320,7 @@ class Library:
     def compile(self):
         """The messages of each unit that does not compile; all is linked if there are none."""
         work = self.options.work
-        compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-I",
+        compiler = [os.environ.get("CXX", "g++"), "-std=c++17", "-O1", "-w", "-fmax-errors=200", "-DTEST_EIGEN", "-I",
                     str(work / "copy/include"), "-I", str(ROOT / "test"), "-I", "/usr/include/eigen3", "-include",
                     str(work / "mutant.h")]
 

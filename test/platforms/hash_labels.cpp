@@ -4,6 +4,8 @@
 // write_meshes and each method, and `done` after the last. Equal lines are equal labels, of a
 // chosen and of given numbers.
 
+#include "../Digest.h"
+
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/region_segmentation.h>
 
@@ -50,21 +52,6 @@ std::istream& operator>>(std::istream& in, Mesh& mesh)
   return in;
 }
 
-/// FNV-1a of values as 64 bits, the lowest byte first.
-class Hash
-{
-public:
-  void add(std::uint64_t value)
-  {
-    for (int i = 0; i < 8; ++i, value >>= 8)
-      m_state = (m_state ^ (value & 255)) * 0x100000001b3u;
-  }
-  std::uint64_t value() const { return m_state; }
-
-private:
-  std::uint64_t m_state = 0xcbf29ce484222325u;
-};
-
 template <typename Method>
 void print_labels(const Mesh& mesh, const char* method_name, const Method& method)
 {
@@ -72,18 +59,18 @@ void print_labels(const Mesh& mesh, const char* method_name, const Method& metho
   constexpr bool chooses = !std::is_same<Method, RS::Two_step>::value;
   RS::Polygon_soup_segmenter segmenter(mesh.points, mesh.polygons, RS::parameters::method(method));
   std::vector<std::uint64_t> labels(mesh.polygons.size());
-  Hash hash;
+  test::Digest digest;
   const auto add = [&](std::size_t number) {
-    hash.add(number);
+    digest.add(number);
     for (std::uint64_t label : labels)
-      hash.add(label);
+      digest.add(label);
   };
   if constexpr (chooses)
     add(segmenter.segment(labels));
   for (std::size_t k : {2, 5, 12, 40})
     add(segmenter.segment(labels, k));
   std::printf("%s %s %016llx\n", mesh.name.c_str(), method_name,
-              static_cast<unsigned long long>(hash.value()));
+              static_cast<unsigned long long>(digest.value()));
 }
 
 } // namespace
