@@ -6,22 +6,25 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
 mkdir -p "$work"
-sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake make python3 libcgal-dev libeigen3-dev libgtest-dev \
-  libopenmesh-dev libcli11-dev libpng-dev libtbb-dev
+sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake gcovr make python3 libcgal-dev libeigen3-dev libgtest-dev \
+  libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev
 
-sanitized() # NAME BUILD-TYPE FLAGS CTEST-ARGUMENT...
+suite() # NAME COMPILER BUILD-TYPE FLAGS CTEST-ARGUMENT...
 {
   build=$work/$1
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE="$2" -DREGION_SEGMENTATION_ALL_TESTS=ON -DCMAKE_CXX_COMPILER=clang++ \
-    -DCMAKE_CXX_FLAGS="$3 -fno-omit-frame-pointer -g1 -D_GLIBCXX_ASSERTIONS" >/dev/null
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE="$3" -DREGION_SEGMENTATION_ALL_TESTS=ON -DCMAKE_CXX_COMPILER="$2" \
+    -DCMAKE_CXX_FLAGS="$4" >/dev/null
   cmake --build "$build" -j 2
-  shift 3
+  shift 4
   ctest --test-dir "$build" --output-on-failure -j 2 -LE build "$@"
 }
 
 export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
-sanitized release Release "-fsanitize=address,undefined -fno-sanitize-recover=all"
-sanitized debug Debug "-fsanitize=address,undefined -fno-sanitize-recover=all -O1"
+sanitizers="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g1 -D_GLIBCXX_ASSERTIONS"
+suite release clang++ Release "$sanitizers"
+suite debug clang++ Debug "$sanitizers -O1"
 MATRIX_DIR=$work/matrix sh "$root/test/matrix/matrix.sh"
 python3 "$root/test/mutation/mutate.py" --work "$work/mutation" --at-least 90
-sh "$root/test/coverage.sh" "$work/coverage"
+suite coverage g++ Debug "--coverage -O1 -g0 -DNDEBUG -fno-inline" -E instruction
+cd "$root"
+gcovr --filter include/ --filter examples/segment_mesh/ --exclude-throw-branches "$work/coverage"

@@ -10,7 +10,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
 packages="g++ make cmake clang-format lib3mf-dev libzip-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
-  libgtest-dev libjs-three libopenmesh-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev"
+  libgtest-dev libjs-three libopenmesh-dev libpng-dev librapidcheck-dev libtbb-dev nlohmann-json3-dev zlib1g-dev"
 all=OFF
 if [ "${1:-}" = all ]; then
   shift

@@ -3,15 +3,11 @@
 // write_seeds DIR: a folder of first inputs for each fuzz target.
 
 #include "sample_files.h"
-#include "soup/Polygon_soup.h"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 using sample::with;
-using segment_mesh::Polygon_soup;
 
 namespace {
 
@@ -120,99 +116,6 @@ void write_command_lines(Corpus corpus)
   corpus.add("--version");
 }
 
-/// Whether the face from a to b closes where the rows end.
-Polygon_soup grid(std::size_t n, bool is_closed, bool has_triangles)
-{
-  Polygon_soup soup;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const double u = 2 * 3.14159 * double(i) / double(n), v = 2 * 3.14159 * double(j) / double(n);
-      if (is_closed)
-        soup.points.push_back({std::round((70 + 30 * std::cos(v)) * std::cos(u)),
-                               std::round((70 + 30 * std::cos(v)) * std::sin(u)),
-                               std::round(30 * std::sin(v))});
-      else
-        soup.points.push_back({double(10 * i), double(10 * j), double(7 * i * j % 13)});
-    }
-  for (std::size_t i = 0, end = is_closed ? n : n - 1; i < end; ++i)
-    for (std::size_t j = 0; j < end; ++j) {
-      const std::size_t a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n,
-                        d = i * n + (j + 1) % n;
-      if (has_triangles) {
-        soup.polygons.push_back({a, b, c});
-        soup.polygons.push_back({a, c, d});
-      } else
-        soup.polygons.push_back({a, b, c, d});
-    }
-  return soup;
-}
-
-Polygon_soup fan(std::size_t n)
-{
-  Polygon_soup soup;
-  soup.points.push_back({0, 0, 50});
-  for (std::size_t i = 0; i < n; ++i) {
-    soup.points.push_back({std::round(100 * std::cos(6.28 * double(i) / double(n))),
-                           std::round(100 * std::sin(6.28 * double(i) / double(n))),
-                           double(20 * (i % 2))});
-    soup.polygons.push_back({0, i + 1, (i + 1) % n + 1});
-  }
-  return soup;
-}
-
-Polygon_soup tetrahedra(std::size_t n)
-{
-  Polygon_soup soup;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const auto& p : sample::points)
-      soup.points.push_back({10 * p[0] + 15 * double(i), 10 * p[1], 10 * p[2]});
-    for (const auto& f : sample::faces)
-      soup.polygons.push_back(
-        {4 * i + std::size_t(f[0]), 4 * i + std::size_t(f[1]), 4 * i + std::size_t(f[2])});
-  }
-  return soup;
-}
-
-/// As `Bytes` is asked for a soup: the points, then the polygons until the end. The scale of every
-/// number has index 0.
-std::string encoded(const Polygon_soup& soup, std::size_t least_number_of_points)
-{
-  std::string bytes(1, char(soup.points.size() - least_number_of_points));
-  for (const auto& p : soup.points)
-    for (const double x : p)
-      bytes += {char(0), char(int(x) + 128)};
-  for (const auto& polygon : soup.polygons) {
-    bytes += char(polygon.size() - 3);
-    for (const std::size_t i : polygon)
-      bytes += char(i);
-  }
-  return bytes;
-}
-
-void write_soups(Corpus corpus)
-{
-  for (const Polygon_soup& soup :
-       {tetrahedra(1), tetrahedra(7), grid(5, true, true), grid(5, false, false), fan(30)})
-    corpus.add(encoded(soup, 1));
-  // They reach at once what takes thousands of changes of the others.
-  std::mt19937 random(1);
-  for (std::size_t i = 0; i < 60; ++i) {
-    std::string bytes(100 * (1 + i % 3), '\0');
-    for (char& byte : bytes)
-      byte = char(random() % 256);
-    corpus.add(bytes);
-  }
-}
-
-void write_meshes(Corpus corpus)
-{
-  for (const Polygon_soup& soup :
-       {tetrahedra(1), tetrahedra(15), grid(8, true, true), grid(8, true, false),
-        grid(8, false, true), grid(7, false, false), fan(60)})
-    for (const char k : {1, 5})
-      corpus.add(std::string(1, k) + encoded(soup, 3));
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -227,7 +130,4 @@ int main(int argc, char** argv)
   write_gltf({root, "read_gltf"});
   write_labels({root, "read_labels"});
   write_command_lines({root, "command_line"});
-  write_soups({root, "segment_soup"});
-  write_meshes({root, "segment_mesh"});
-  write_meshes({root, "use_segments"});
 }

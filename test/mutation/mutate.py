@@ -340,7 +340,7 @@ class Library:
             errors = [text for text in pool.map(compile_one, sources) if text]
         if not errors:
             subprocess.run(["g++", *(str(s.with_suffix(".o")) for s in sources), "-o", str(work / "tests"), "-lgtest",
-                            "-lgtest_main", "-lgmp", "-lmpfr", "-lpthread"], check=True)
+                            "-lgtest_main", "-lrapidcheck", "-lgmp", "-lmpfr", "-lpthread"], check=True)
         return errors
 
     def test_program(self):
