@@ -1,6 +1,6 @@
 #!/bin/sh
-# compile_snippets.sh COMPILER OPTION...: the program of the README compiles, and so do the blocks of C++ of the user's manual,
-# in a function that has what they name.
+# compile_snippets.sh COMPILER OPTION...: the program of the README compiles, and after it the blocks of C++ of the user's
+# manual, in a function that has what they name.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
@@ -15,27 +15,22 @@ blocks() { # FILE BEGIN END
     END { exit lines == 0 }' "$1"
 }
 
-blocks "$root/README.md" '^```cpp' '^```$' | sed '1d; $d' >"$work/readme.cpp"
-blocks "$root/doc/Region_segmentation/Region_segmentation.txt" '^.code[{][.]cpp[}]' '^.endcode' >"$work/blocks"
-cat >"$work/manual.cpp" <<END
+blocks "$root/doc/Region_segmentation/Region_segmentation.txt" '^.code[{][.]cpp[}]' '^.endcode' >"$work/manual"
+blocks "$root/README.md" '^```cpp' '^```$' | sed '1d; $d' >"$work/snippets.cpp"
+cat >>"$work/snippets.cpp" <<END
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
 #include <CGAL/Region_segmentation/Two_step/Two_step.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/region_segmentation.h>
-$(grep '^#include' "$work/blocks")
+$(grep '^#include' "$work/manual")
 
 namespace RS = CGAL::Region_segmentation;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-void blocks(Mesh& mesh, Mesh::Property_map<Mesh::Face_index, std::size_t> segment_id)
+void manual(Mesh& mesh, Mesh::Property_map<Mesh::Face_index, std::size_t> segment_id)
 {
   const auto vpm = get(CGAL::vertex_point, mesh);
-$(grep -v '^#include' "$work/blocks")
+$(grep -v '^#include' "$work/manual")
 }
 END
-for source in readme manual; do
-  "$@" -fsyntax-only "$work/$source.cpp"
-done
+"$@" -fsyntax-only "$work/snippets.cpp"
