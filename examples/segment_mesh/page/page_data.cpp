@@ -92,7 +92,7 @@ private:
 void append_points(const Polygon_soup& soup, Array_file& file)
 {
   const Scene scene = make_scene(soup, std::vector<std::size_t>(soup.polygons.size()));
-  for (const Point& p : scene.points)
+  for (const Point& p : scene.soup.points)
     for (double x : p)
       file.append(float(x));
   file.end_array("points", "Float32Array");

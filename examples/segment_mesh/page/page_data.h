@@ -6,7 +6,7 @@
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
 #include "soup/Polygon_soup.h"
-#include "view/Viewpoint.h"
+#include "view/choose_viewpoint.h"
 
 #include <nlohmann/json.hpp>
 

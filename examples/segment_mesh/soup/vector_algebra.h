@@ -36,11 +36,16 @@ inline Point cross_product(const Point& v, const Point& w)
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
 
+inline double length(const Point& v)
+{
+  return std::sqrt(inner_product(v, v));
+}
+
 /// The zero vector for the zero vector.
 inline Point unit_vector(const Point& v)
 {
-  const double length = std::sqrt(inner_product(v, v));
-  return length > 0 ? times(1 / length, v) : Point{0, 0, 0};
+  const double size = length(v);
+  return size > 0 ? times(1 / size, v) : Point{0, 0, 0};
 }
 
 inline bool is_finite(const Point& p)

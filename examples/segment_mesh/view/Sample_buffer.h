@@ -4,27 +4,35 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_SAMPLE_BUFFER_H
 
 #include "view/Scene.h"
-#include "view/Viewpoint.h"
+#include "view/choose_viewpoint.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace segment_mesh {
 
-/// The nearest face at each sample of a picture, and the light on it there.
+/// A point of a picture: in samples from its top left corner; less depth is nearer.
+struct Screen_point
+{
+  double x, y, depth, light;
+};
+
+/// A depth buffer: the nearest face at each sample of a picture, and the light on it there.
 class Sample_buffer
 {
 public:
-  using Index = Scene::Index;
+  using Index = Polygons::Index;
 
   static constexpr Index no_face = (std::numeric_limits<Index>::max)();
 
-  /// A corner of a polygon: in samples from the top left corner of the picture; less depth is
-  /// nearer.
-  struct Corner
+  struct Sample
   {
-    double x, y, depth, light;
+    Index face = no_face;
+    float depth = std::numeric_limits<float>::infinity();
+    float light = 0;
+    std::uint8_t ink = 0; ///< how much of its color a dark line takes, of 255
   };
 
   Sample_buffer(std::size_t width, std::size_t height);
@@ -32,37 +40,39 @@ public:
   std::size_t width() const { return m_width; }
   std::size_t height() const { return m_height; }
 
+  const Sample& at(std::size_t column, std::size_t row) const
+  {
+    return m_samples[row * m_width + column];
+  }
+
   /// Draws the samples whose centers are inside the polygon, by the even-odd rule, so it need not
   /// be convex. Depth and light are interpolated along its sides, then along rows. Faces that share
   /// a side leave no gap and do not overlap. Of equal depths the lower face stays, so the order of
   /// drawing does not matter.
-  void draw_polygon(const std::vector<Corner>& corners, Index face);
+  void draw_polygon(const std::vector<Screen_point>& corners, Index face);
 
-  Index face(std::size_t sample) const { return m_faces[sample]; }
-  float depth(std::size_t sample) const { return m_depths[sample]; }
-  float light(std::size_t sample) const { return m_lights[sample]; }
+  /// Calls `f(sample)` for those within a distance of one that show a face.
+  template <typename Function>
+  void for_each_near(std::size_t column, std::size_t row, double distance, const Function& f)
+  {
+    const std::ptrdiff_t reach = std::ptrdiff_t(distance);
+    for (std::ptrdiff_t dy = -reach; dy <= reach; ++dy)
+      for (std::ptrdiff_t dx = -reach; dx <= reach; ++dx) {
+        const std::size_t x = column + std::size_t(dx), y = row + std::size_t(dy);
+        if (double(dx * dx + dy * dy) <= distance * distance && x < m_width &&
+            y < m_height && // also not before the first one
+            at(x, y).face != no_face)
+          f(m_samples[y * m_width + x]);
+      }
+  }
 
 private:
-  /// Where a row of samples crosses a side.
-  struct Crossing
-  {
-    double x, depth, light;
-  };
-
-  void find_crossings(const std::vector<Corner>& corners, double y);
-  void draw_span(const Crossing& from, const Crossing& to, std::size_t row, Index face);
+  void find_crossings(const std::vector<Screen_point>& corners, double y);
+  void draw_span(const Screen_point& from, const Screen_point& to, std::size_t row, Index face);
 
   std::size_t m_width, m_height;
-  std::vector<Index> m_faces;
-  std::vector<float> m_depths;
-  std::vector<float> m_lights;
-  std::vector<Crossing> m_crossings; // of the row at hand
-};
-
-/// A point of the picture: in samples from its top left corner; less depth is nearer.
-struct Screen_point
-{
-  double x, y, depth;
+  std::vector<Sample> m_samples;
+  std::vector<Screen_point> m_crossings; // of the row at hand with the sides of a polygon
 };
 
 /// Parallel projection of a scene into a picture. Depth has the unit of the scene, whose radius
@@ -82,26 +92,25 @@ public:
   Projection(const Scene& scene, const Viewpoint& viewpoint, double width, double height,
              double margin);
 
-  Screen_point operator()(const Point& p) const;
+  Screen_point operator()(const Point& p, double light = 0) const;
 
 private:
   Viewpoint m_viewpoint;
   double m_scale, m_offset_x, m_offset_y;
 };
 
-/// Draws all faces of a scene; `light(c)` is the light at the corner c of `Scene::corners`.
+/// Draws all faces of a scene; `light(f, p)` is the light at the corner of the face f at the
+/// point p.
 template <typename Light>
 void draw_faces(const Scene& scene, const Projection& projection, const Light& light,
                 Sample_buffer& buffer)
 {
-  std::vector<Sample_buffer::Corner> corners;
-  for (Scene::Index f = 0; f < scene.number_of_faces(); ++f) {
+  std::vector<Screen_point> corners;
+  for (std::size_t f = 0; f < scene.labels.size(); ++f) {
     corners.clear();
-    for (Scene::Index c = scene.first_corners[f]; c < scene.first_corners[f + 1]; ++c) {
-      const Screen_point s = projection(scene.points[scene.corners[c]]);
-      corners.push_back({s.x, s.y, s.depth, light(c)});
-    }
-    buffer.draw_polygon(corners, f);
+    for (const std::size_t p : scene.soup.polygons[f])
+      corners.push_back(projection(scene.soup.points[p], light(f, p)));
+    buffer.draw_polygon(corners, Sample_buffer::Index(f));
   }
 }
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
+#include <map>
 
 namespace segment_mesh {
 
@@ -16,27 +16,21 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// See `choose_viewpoint()`. The roots are added in the order in which the segments appear in a
-/// small picture, not by a hash.
+/// See `choose_viewpoint()`.
 double worth(const Scene& scene, const Viewpoint& viewpoint)
 {
   constexpr std::size_t size = 64;
   Sample_buffer buffer(size, size);
   draw_faces(
-    scene, Projection(viewpoint, size, size, size / 2.0), [](Scene::Index) { return 1.0; }, buffer);
-  std::unordered_map<std::size_t, std::size_t> position_of_label;
-  std::vector<std::size_t> visible;
-  for (std::size_t i = 0; i < size * size; ++i) {
-    if (buffer.face(i) == Sample_buffer::no_face)
-      continue;
-    const auto [entry, is_new] = position_of_label.emplace(scene.labels[buffer.face(i)],
-                                                           visible.size());
-    if (is_new)
-      visible.push_back(0);
-    ++visible[entry->second];
-  }
+    scene, Projection(viewpoint, size, size, size / 2.0),
+    [](std::size_t, std::size_t) { return 1; }, buffer);
+  std::map<std::size_t, std::size_t> samples_of_label;
+  for (std::size_t row = 0; row < size; ++row)
+    for (std::size_t column = 0; column < size; ++column)
+      if (const auto face = buffer.at(column, row).face; face != Sample_buffer::no_face)
+        ++samples_of_label[scene.labels[face]];
   double sum = 0;
-  for (std::size_t samples : visible)
+  for (const auto& [label, samples] : samples_of_label)
     sum += std::sqrt(double(samples));
   return sum;
 }

@@ -4,12 +4,25 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_CHOOSE_VIEWPOINT_H
 
 #include "view/Scene.h"
-#include "view/Viewpoint.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace segment_mesh {
+
+/// From where a mesh is seen, without perspective: three unit vectors in space, orthogonal to each
+/// other and right-handed.
+struct Viewpoint
+{
+  Point right, up, toward_viewer;
+};
+
+/// The direction of the mesh that is up in pictures: that of an axis, or opposite to it.
+struct Up_direction
+{
+  std::size_t axis = 1; ///< y, as in most formats
+  double sign = 1;
+};
 
 /// The one of `candidate_viewpoints()` that shows the most: it has the largest sum over the
 /// segments of the root of the visible area, so that many segments count more than a large one. The

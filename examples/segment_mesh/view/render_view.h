@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RENDER_VIEW_H
 
 #include "soup/Polygon_soup.h"
-#include "view/Viewpoint.h"
+#include "view/choose_viewpoint.h"
 #include "view/segment_colors.h"
 
 #include <cstddef>
@@ -49,8 +49,8 @@ struct View_options
 /// Draws a mesh: each segment shaded in the `segment_color()` of its number, its borders as dark
 /// lines, feature edges within segments as thinner ones. Without a display or a GPU; the same
 /// picture for the same input. Faces may be of any size, need not be convex or planar, and may be
-/// turned either way; those that have no inside are not seen. \throws std::invalid_argument unless
-/// there is a label for each face and a point for each corner
+/// turned either way; those that have no inside are not seen. \pre there are a label for each face
+/// and a point for each corner and each end of an edge
 Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
                   const std::vector<Vertex_pair>& feature_edges, const View_options& options = {});
 

@@ -3,7 +3,7 @@
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
 #include "read/little_endian.h"
-#include "soup/vector_algebra.h"
+#include "view/Corner_normals.h"
 #include "write/write_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -36,43 +36,6 @@ struct Shaded_triangles
   Triangles triangles;
 };
 
-/// At the corners of triangles the mean of the normals round a point, by area, of triangles that
-/// are within 40 degrees: the surface looks smooth, but for edges that are sharp.
-class Normals
-{
-public:
-  explicit Normals(const Segment_triangles& segment)
-    : m_triangles_of_point(segment.part.soup.points.size())
-  {
-    const std::vector<Point>& points = segment.part.soup.points;
-    for (const auto& [a, b, c] : segment.triangles) {
-      for (const Polygons::Index i : {a, b, c})
-        m_triangles_of_point[i].push_back(m_areas.size());
-      m_areas.push_back(cross_product(minus(points[b], points[a]), minus(points[c], points[a])));
-      m_units.push_back(unit_vector(m_areas.back()));
-    }
-  }
-
-  Point at(std::size_t triangle, std::size_t point) const
-  {
-    constexpr double cosine_of_sharp = 0.77;
-    constexpr std::size_t many = 64; // a fan of n triangles would take n * n steps
-    Point sum = m_areas[triangle];
-    if (m_triangles_of_point[point].size() <= many) {
-      sum = {0, 0, 0};
-      for (std::size_t other : m_triangles_of_point[point])
-        if (inner_product(m_units[triangle], m_units[other]) > cosine_of_sharp)
-          sum = plus(sum, m_areas[other]);
-    }
-    const Point unit = unit_vector(sum);
-    return unit == Point{0, 0, 0} ? Point{0, 0, 1} : unit;
-  }
-
-private:
-  std::vector<Point> m_areas, m_units;
-  std::vector<std::vector<std::size_t>> m_triangles_of_point;
-};
-
 /// A vertex of glTF: a point with one normal, texture point and color.
 using Vertex = std::tuple<Polygons::Index, Point, Mesh_properties::Texture_point,
                           Mesh_properties::Rgb>;
@@ -93,15 +56,17 @@ Value value_at(const Corner_values<Value>& values, const Polygons& polygons, std
 
 Shaded_triangles shade(const Segment_triangles& segment)
 {
-  const Normals normals(segment);
   const auto& [soup, properties] = segment.part;
+  const Corner_normals normals(soup.points, segment.triangles);
   Shaded_triangles result;
   std::map<Vertex, Polygons::Index> vertices;
   for (std::size_t t = 0; t < segment.triangles.size(); ++t) {
     const std::size_t face = segment.face_of_triangle[t];
     auto& triangle = result.triangles.emplace_back(segment.triangles[t]);
     for (Polygons::Index& i : triangle) {
-      const Point normal = normals.at(t, i);
+      Point normal = normals.at(t, i);
+      if (normal == Point{0, 0, 0})
+        normal = {0, 0, 1}; // readers want a unit vector
       const auto texture = value_at(properties.texture, soup.polygons, face, i, {});
       const auto color = value_at(properties.colors, soup.polygons, face, i,
                                   Mesh_properties::white);
