@@ -3,6 +3,7 @@
 #include "core.h"
 
 #include "segmentation/Manifold.h"
+#include "segmentation/segment_attributes.h"
 
 // Of the program, compiled here since setuptools writes objects beside sources.
 #include "segmentation/make_manifold.cpp"
@@ -17,9 +18,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <functional>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace RS = CGAL::Region_segmentation;
@@ -31,15 +34,37 @@ using segment_mesh::Manifold;
 using Mesh = Manifold::Mesh;
 using Kernel = CGAL::Simple_cartesian<double>;
 
-double degrees(double radians)
+template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
+py::object to_object(Number value)
 {
-  return radians * 180 / CGAL_PI;
+  return py::cast(value);
 }
 
-template <typename Triple>
-py::tuple to_tuple(const Triple& t)
+py::object to_object(const std::array<double, 3>& values)
+{
+  return py::make_tuple(values[0], values[1], values[2]);
+}
+
+/// Of a point or a vector.
+template <typename Triple, typename = decltype(std::declval<Triple>().x())>
+py::object to_object(const Triple& t)
 {
   return py::make_tuple(t.x(), t.y(), t.z());
+}
+
+py::object to_object(const std::array<Kernel::Vector_3, 3>& vectors)
+{
+  py::list list;
+  for (const Kernel::Vector_3& vector : vectors)
+    list.append(to_object(vector));
+  return std::move(list);
+}
+
+/// Adds attributes to a dictionary.
+auto adder(py::dict& dictionary)
+{
+  return
+    [&dictionary](const char* name, const auto& value) { dictionary[name] = to_object(value); };
 }
 
 /// Labels of the faces of a manifold; of the others of its soup `no_segment`.
@@ -73,34 +98,30 @@ struct Labelled_manifold : Manifold
   std::size_t size;
 };
 
-/// The surface that fits a segment or is that of a part face.
+/// The surface that fits a segment or is that of a part face, see `from_apex()`.
 py::dict to_dictionary(const RS::Fitted_surface<Kernel>& s)
 {
-  const char* const types[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
-  const bool is_cone = s.kind == RS::Surface_kind::CONE;
-  return py::dict("type"_a = types[int(s.kind)], "point"_a = to_tuple(is_cone ? s.apex() : s.point),
-                  "direction"_a = to_tuple(
+  return py::dict("type"_a = segment_mesh::name_of(s.kind), "point"_a = to_object(s.point),
+                  "direction"_a = to_object(
                     s.kind == RS::Surface_kind::SPHERE ? Kernel::Vector_3(0, 0, 0) : s.direction),
-                  "radius"_a = is_cone ? 0 : s.radius, "minor_radius"_a = s.minor_radius,
-                  "half_angle"_a = degrees(s.angle));
+                  "radius"_a = s.radius, "minor_radius"_a = s.minor_radius,
+                  "half_angle"_a = s.angle * 180 / CGAL_PI);
 }
 
 py::dict to_dictionary(const RS::Segment_description<std::int32_t, Kernel>& d)
 {
-  py::list axes, neighbors;
-  for (const auto& axis : d.axes)
-    axes.append(to_tuple(axis));
-  for (const auto& n : d.neighbors)
-    neighbors.append(py::dict("segment"_a = n.segment, "border_length"_a = n.border_length,
-                              "mean_signed_deviation"_a = degrees(n.mean_signed_deviation)));
-  py::dict primitive = to_dictionary(d.surface);
-  primitive["error"] = d.surface_error();
-  return py::dict("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces,
-                  "area"_a = d.area, "volume"_a = d.volume, "volume_share"_a = d.volume_share,
-                  "centroid"_a = to_tuple(d.centroid), "axes"_a = axes,
-                  "extents"_a = py::make_tuple(d.extents[0], d.extents[1], d.extents[2]),
-                  "border_length"_a = d.border_length, "boundary_length"_a = d.boundary_length,
-                  "neighbors"_a = neighbors, "primitive"_a = primitive);
+  py::dict result("segment"_a = d.segment, "number_of_faces"_a = d.number_of_faces);
+  segment_mesh::visit_attributes(d, adder(result));
+  py::list neighbors;
+  for (const auto& n : d.neighbors) {
+    py::dict neighbor;
+    segment_mesh::visit_attributes_of_neighbor(n, adder(neighbor));
+    neighbors.append(neighbor);
+  }
+  result["neighbors"] = neighbors;
+  result["primitive"] = to_dictionary(segment_mesh::from_apex(d.surface));
+  result["primitive"]["error"] = d.surface_error();
+  return result;
 }
 
 py::list describe_segments(const Soup& soup, const Array<std::int32_t>& labels)
@@ -119,18 +140,16 @@ py::list describe_segments(const Soup& soup, const Array<std::int32_t>& labels)
 
 py::dict to_dictionary(const RS::Part_face<Kernel>& face)
 {
-  const char* const roles[] = {"none", "blend", "hole", "boss"};
-  const RS::Fitted_surface<Kernel>& s = face.surface;
-  const double to_apex = s.kind == RS::Surface_kind::CONE ? s.radius / std::tan(s.angle) : 0;
+  const RS::Fitted_surface<Kernel> s = segment_mesh::from_apex(face.surface);
   py::list neighbors;
   for (const RS::Part_face_neighbor& n : face.neighbors)
     neighbors.append(
       py::dict("face"_a = n.face, "length"_a = n.length, "is_smooth"_a = n.is_smooth));
   py::dict result = to_dictionary(s);
   result["is_concave"] = s.side < 0;
-  result["extent"] = py::make_tuple(s.lowest + to_apex, s.highest + to_apex);
+  result["extent"] = py::make_tuple(s.lowest, s.highest);
   result["deviation"] = s.deviation;
-  result["role"] = roles[int(face.role)];
+  result["role"] = segment_mesh::name_of(face.role);
   result["area"] = face.area;
   result["first_on_surface"] = face.first_on_surface;
   result["first_on_axis"] = face.first_on_axis;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -85,14 +86,6 @@ val open_file(const std::string& name, const std::string& bytes)
   });
 }
 
-Method method_of_name(const std::string& name)
-{
-  return name == "two-step"       ? Method::TWO_STEP
-         : name == "visibility"   ? Method::VISIBILITY
-         : name == "smooth-faces" ? Method::SMOOTH_FACES
-                                  : Method::LEARNED;
-}
-
 /// `constraints`: the points of edges, two by two; `seeds`: faces and their seeds, two by two.
 Marks marks_of(const val& request)
 {
@@ -116,7 +109,9 @@ val segment_opened(const val& request, const val& report)
 {
   return answer([&] {
     Segmentation_settings settings;
-    settings.method = method_of_name(request["method"].as<std::string>());
+    settings.method = Method(std::find(std::begin(method_names), std::end(method_names),
+                                       request["method"].as<std::string>()) -
+                             std::begin(method_names));
     if (const unsigned number = request["number"].as<unsigned>())
       settings.number_of_segments = number;
     Segmentation segmentation = run_on_soup(opened->mesh.soup, marks_of(request), settings,

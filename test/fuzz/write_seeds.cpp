@@ -34,7 +34,7 @@ void write_off(Corpus corpus)
 {
   corpus.add(sample::off());
   corpus.add(with(sample::off(), "OFF\n4 4 0", "OFF4 4 0"));
-  corpus.add("4OFF\n3 1 0 # x\n0 0 0 1\n2 0 0 2\n0 1e-3 +0.5E1 1\n3 0 1 2 255 0 0\n");
+  corpus.add("OFF\n3 1 0 # x\n0 0 0\n2 0 0\n0 1e-3 +0.5E1\n3 0 1 2 255 0 0\n");
   corpus.add("COFF 3 1 0 0 0\r0 1 0 0 1\n1 0 0 1 0 0 1 0 1 0 0 1 3 0\n1 2");
   corpus.add("CNOFF\n3 1 0\n0 0 0 0 0 1 255 0 9 255\n1 0 0 0 0 1 .5 1 0\n0 1 0\n3 0 1 2\n");
   corpus.add("STCNOFF\r\n3 1 0\r\n0 0 0 0 0 1\r\n1 0 0 0 0 1\r\n0 1 0 0 0 1\r\n3 0 1 2\r\n");
@@ -57,10 +57,6 @@ void write_ply(Corpus corpus)
   }
   for (const char* type : {"char", "ushort", "int", "uint32", "float64"})
     corpus.add(with(sample::ply(), "float x", std::string(type) + " x"));
-  corpus.add(
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
-    "z\nelement tristrips 1\n"
-    "property list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n5 0 1 2 -1 0\n");
   corpus.add("ply\nformat ascii 1.0\ncomment x\nobj_info y\nelement vertex 3\nproperty uchar "
              "r\nproperty double x\n"
              "property double y\nproperty double z\nelement face 1\nproperty list uchar float uv\n"

@@ -137,8 +137,7 @@ TEST_F(Program, refuses_marks_that_it_cannot_use)
                      "--smooth-borders: borders would move across faces with seeds");
   expect_wrong_usage("a.off a.off --seeds a.txt",
                      "--seeds a.txt: with several inputs it holds {stem}");
-  expect_wrong_usage("a.off --seeds a.txt -o a.txt --output-format seg",
-                     "-o a.txt: would replace the seeds");
+  expect_wrong_usage("a.off --seeds a.txt -o seg:a.txt", "-o a.txt: would replace the seeds");
 }
 
 } // namespace marks_test

@@ -330,17 +330,6 @@ TEST_F(Mesh_properties_program, ply_keeps_textures)
   EXPECT_NE(ply.find("property float s\nproperty float t\n"), std::string::npos);
   EXPECT_EQ(ply.find("texcoord"), std::string::npos);
   EXPECT_EQ(read_mesh(folder.path("b/b.ply")).properties.texture.values.at(0)[1], 0.25);
-
-  // Triangle strips before faces have no texture coordinates of faces.
-  folder.write("c.ply", start +
-                          "element tristrips 1\nproperty list uchar int vertex_indices\n"
-                          "element face 1\nproperty list uchar int vertex_indices\n"
-                          "property list uchar float texcoord\nend_header\n" +
-                          points + "3 0 1 2\n3 0 2 3 6 .1 .2 .3 .4 .5 .6\n");
-  const auto texture = read_mesh(folder.path("c.ply")).properties.texture;
-  ASSERT_EQ(texture.of_corner.size(), 6u);
-  EXPECT_EQ(texture.of_corner[0], texture.none);
-  EXPECT_FLOAT_EQ(float(texture.at(3, {})[0]), 0.1f);
 }
 
 /// Channels are from 0 to 1 where one of all has a fraction.

@@ -62,7 +62,7 @@ TEST(Any_bytes, are_read_or_refused)
   std::mt19937 random(seed);
   const std::vector<std::pair<std::string, std::string>> files = {
     {"a.off", sample::off()},
-    {"a.off", sample::with(sample::off(), "OFF", "STCN4OFF")},
+    {"a.off", sample::with(sample::off(), "OFF", "STCNOFF")},
     {"a.obj", sample::obj()},
     {"a.ply", sample::ply()},
     {"a.ply", sample::binary_ply("binary_little_endian")},

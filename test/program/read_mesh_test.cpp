@@ -80,9 +80,6 @@ std::string changed(std::string text, char from, const std::string& to)
 
 const std::string off_in_words = "OFF # x\n4 # vertices\n4\n0 0 0 0 1 0 0 0\n1 0 0\n0\n1 3 0\n2 1 "
                                  "# face\n3 0 1 3 3 1 2 3 3\n0 3 2\n";
-const std::string
-  off_in_words_with_colors = "COFF 4 4 0\n0 0 0 1 0 0 1 1 0 0 1 0\n0 1 0 1 0 .5 .5\n.5 1 0 0 1 0 0 "
-                             "1 1\n3 0\n2 1 255 0 0\n3 0 1 3\n3 1\n2 3 0.5 1\n3 0 3 2 7\n";
 const std::string stl_with_more_words = with(with(sample::stl(), "outer", "color 1 0 0\nouter"),
                                              "facet", "color 1 0 0\nfacet");
 
@@ -107,45 +104,6 @@ const std::string rich_ply = "ply\ncomment before the format\nformat ascii 1.0\n
                              "end_header\n9 0 0 0 9 1 0\n0 9 0 1 0 9 0 0 1\n7 2 0.5 0.5\n3 0 2 1 0 "
                              "3 0 1 3 0\n3 1 2 3 0 3 0 3 2 0\n";
 
-/// The tetrahedron as strips of one triangle, of two with repeated points between them, of none,
-/// and of one.
-std::string strips_ply(const std::string& format)
-{
-  std::string
-    bytes = "ply\nformat " + format +
-            " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
-  const std::vector<std::int32_t> strips = {0, 2, 1,  -1, 0, 1,  3, 3, 2, 2,
-                                            1, 3, -1, 2,  2, -1, 0, 3, 2, -1};
-  if (format == "ascii") {
-    bytes += "0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + std::to_string(strips.size());
-    for (const std::int32_t i : strips)
-      bytes += " " + std::to_string(i);
-    return bytes + "\n";
-  }
-  for (const auto& p : sample::points)
-    for (const double x : p)
-      sample::append(bytes, float(x), format);
-  sample::append(bytes, std::int32_t(strips.size()), format);
-  for (const std::int32_t i : strips)
-    sample::append(bytes, i, format);
-  return bytes;
-}
-
-TEST(Triangle_strips, alternate_their_orientation)
-{
-  const Temporary_folder folder;
-  const std::string
-    header = "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float "
-             "y\nproperty float z\n"
-             "element tristrips 2\nproperty list int int vertex_indices\nend_header\n",
-    points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
-  const Input_mesh input = read_mesh(
-    folder.write("a.ply", header + points + "6 0 2 1 3 -1 4\n4 2 4 3 5\n"));
-  EXPECT_EQ(input.soup.polygons, (Polygons{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}));
-  EXPECT_TRUE(input.remarks.empty());
-}
-
 INSTANTIATE_TEST_SUITE_P(
   Input, Well_formed,
   testing::Values(
@@ -158,10 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"off_on_a_line", "a.off", changed(sample::off(), '\n', "\t")},
     Sample{"off_two_faces_on_a_line", "a.off", with(sample::off(), "3 1 2 3\n", "3 1 2 3 ")},
     Sample{"off_in_words", "a.off", off_in_words},
-    Sample{"off_in_words_with_colors", "a.off", off_in_words_with_colors},
     Sample{"off_one_header_line", "a.off", with(sample::off(), "OFF\n", "OFF ")},
-    Sample{"off_homogeneous", "a.off",
-           "4OFF\n4 4 0\n0 0 0 1\n2 0 0 2\n0 1 0 1\n0 0 3 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"},
     Sample{"off_glued_header", "a.off", with(sample::off(), "OFF\n4 4 0", "OFF4 4 0")},
     Sample{"off_byte_order_mark", "a.off", "\xef\xbb\xbf" + sample::off()},
     Sample{"obj", "a.obj", sample::obj()}, Sample{"obj_rich", "a.obj", rich_obj},
@@ -190,9 +145,6 @@ INSTANTIATE_TEST_SUITE_P(
     Sample{"ply_name_like_a_coordinate", "a.ply",
            with(with(sample::ply(), "property float z\n", "property float z\nproperty float xx\n"),
                 "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n")},
-    Sample{"ply_strips", "a.ply", strips_ply("ascii")},
-    Sample{"ply_strips_little", "a.ply", strips_ply("binary_little_endian")},
-    Sample{"ply_strips_big", "a.ply", strips_ply("binary_big_endian")},
     Sample{"ply_big", "a.ply", sample::binary_ply("binary_big_endian")},
     Sample{"stl", "a.stl", sample::stl()}, Sample{"stl_binary", "a.stl", sample::binary_stl()},
     Sample{"stl_cr", "a.stl", changed(sample::stl(), '\n', "\r")},

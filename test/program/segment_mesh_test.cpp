@@ -401,21 +401,21 @@ TEST_F(Program, has_a_manual_page_of_the_same_options)
 TEST_F(Program, writes_to_stdout)
 {
   folder.write("a.off", sample::off());
-  const Outcome outcome = run("a.off -k 4 --method smooth-faces -o - --output-format seg");
+  const Outcome outcome = run("a.off -k 4 --method smooth-faces -o seg:-");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "0\n1\n2\n3\n");
   EXPECT_EQ(without_times(outcome.err), "a.off: 4 faces, 4 regions, 4 segments\n");
-  const Outcome quiet = run("a.off -q -k 4 -o - --output-format seg");
+  const Outcome quiet = run("a.off -q -k 4 -o seg:-");
   EXPECT_EQ(quiet.err, "");
   EXPECT_EQ(quiet.out, outcome.out);
   for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1"})
-    EXPECT_EQ(run("a.off -k 4 -o b.seg --output-format seg -o " + name).out, outcome.out);
+    EXPECT_EQ(run("a.off -k 4 -o b.seg -o seg:" + name).out, outcome.out);
   EXPECT_EQ(folder.read("b.seg"), outcome.out);
-  EXPECT_EQ(run("--demo -q -o - --output-format off 2>early | head -c 3").out, "OFF"); // the reader
-                                                                                       // goes early
+  EXPECT_EQ(run("--demo -q -o off:- 2>early | head -c 3").out, "OFF"); // the reader
+                                                                       // goes early
   EXPECT_EQ(folder.read("early"), "");
   if (std::filesystem::exists("/dev/full")) {
-    EXPECT_EQ(run("a.off -q -k 4 -o - --output-format seg > /dev/full; exit $?; true").status, 1);
+    EXPECT_EQ(run("a.off -q -k 4 -o seg:- > /dev/full; exit $?; true").status, 1);
   }
 }
 
@@ -424,8 +424,8 @@ TEST_F(Program, writes_to_devices_and_pipes)
 {
   folder.write("a.off", sample::off());
   ASSERT_EQ(mkfifo(folder.path("b.obj").c_str(), 0600), 0);
-  EXPECT_EQ(run("a.off -q -k 4 -o /dev/null -o /dev/null -o b.obj -o /dev/fd/3 "
-                "--output-format obj 3> c.obj > /dev/null && wait",
+  EXPECT_EQ(run("a.off -q -k 4 -o obj:/dev/null -o obj:/dev/null -o b.obj -o obj:/dev/fd/3 "
+                "3> c.obj > /dev/null && wait",
                 "{ timeout 20 cat b.obj > d.obj & } &&")
               .status,
             0);
@@ -437,9 +437,9 @@ TEST_F(Program, writes_to_devices_and_pipes)
 TEST_F(Program, takes_a_format_in_place_of_an_ending)
 {
   folder.write("a.off", sample::off());
-  EXPECT_EQ(run("a.off -k 4 -o labels.txt --output-format seg").status, 0);
+  EXPECT_EQ(run("a.off -k 4 -o seg:labels.txt").status, 0);
   EXPECT_EQ(folder.read("labels.txt"), "0\n1\n2\n3\n");
-  EXPECT_EQ(run("a.off -k 4 -o labels.txt.GZ --output-format seg").status, 0);
+  EXPECT_EQ(run("a.off -k 4 -o seg:labels.txt.GZ").status, 0);
   EXPECT_EQ(folder.read("labels.txt.GZ").substr(0, 2), "\x1f\x8b");
 }
 
@@ -685,12 +685,10 @@ TEST_F(Program, refuses_outputs_that_do_not_fit)
   expect_wrong_usage("a.off --demo", "--demo: there is an INPUT, too");
   expect_wrong_usage("a.off --labels a.seg -k 2", "--segments: with --labels nothing is segmented");
   expect_wrong_usage("a.off --labels a.seg -o a.seg", "-o a.seg: would replace the labels");
-  expect_wrong_usage("a.off -o -", "-o -: needs --output-format");
-  expect_wrong_usage("a.off 7.off -k 2 -o - --output-format ply",
-                     "-o -: with several inputs outputs are files");
-  expect_wrong_usage("a.off -o - -o /dev/stdout --output-format ply",
-                     "-o -: would be written twice");
-  expect_wrong_usage("a.off -o /dev/null", "-o /dev/null: needs --output-format");
+  expect_wrong_usage("a.off -o -", "-o -: needs a format, as in -o ply:-");
+  expect_wrong_usage("a.off 7.off -k 2 -o ply:-", "-o -: with several inputs outputs are files");
+  expect_wrong_usage("a.off -o ply:- -o ply:/dev/stdout", "-o -: would be written twice");
+  expect_wrong_usage("a.off -o /dev/null", "-o /dev/null: needs a format, as in -o ply:/dev/null");
   expect_wrong_usage("a.off -o b.seg --solids", "--solids: no -o is a mesh");
   expect_wrong_usage("a.off --labels b.seg --labels-from groups",
                      "--labels-from: there are --labels, too");

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
 
 namespace segment_mesh {
 
@@ -99,82 +98,60 @@ void check_standard_input(const Options& options)
     throw Usage_error("-: standard input can be read once");
 }
 
-/// The files of a run, to find those that an output would replace.
-class File_registry
+/// The files of a run by their names without links, and what they are.
+using Run_files = std::map<std::string, std::string>;
+
+constexpr const char* output_of_run = "an output";
+
+std::string name_without_links(const std::string& file)
 {
-public:
-  void add(const std::string& file, const char* what)
-  {
-    m_files.emplace(resolve_links(file).string(), what);
-  }
+  return resolve_links(file).string();
+}
 
-  /// \throws Usage_error
-  void add_output(const Output& output)
-  {
-    if (output.is_stdout()) {
-      if (m_has_stdout)
-        throw Usage_error("-o -: would be written twice");
-      m_has_stdout = true;
-      return;
-    }
-    if (is_written_directly(output.file))
-      return;
-    const std::string name = resolve_links(output.file).string();
-    if (const std::string library = material_library(output); !library.empty())
-      if (const auto found = m_files.find(resolve_links(library).string()); found != m_files.end())
-        throw Usage_error("-o " + output.file + ": its .mtl would replace " + found->second);
-    if (const std::string* what = find_replaced(name, output))
-      throw Usage_error(option_of(output) + " " + output.file + ": would replace " + *what);
-    if (is_written_twice(name, output))
-      throw Usage_error(option_of(output) + " " + output.file + ": would be written twice");
-    (output.is_for_each_segment() ? m_patterns : m_outputs).insert(name);
-  }
-
-private:
-  const std::string* find_replaced(const std::string& name, const Output& output) const
-  {
-    auto found = m_files.find(name);
-    if (output.is_for_each_segment())
-      found = std::find_if(m_files.begin(), m_files.end(),
-                           [&](const auto& file) { return is_segment_file(name, file.first); });
-    return found == m_files.end() ? nullptr : &found->second;
-  }
-
-  bool is_written_twice(const std::string& name, const Output& output) const
-  {
-    const auto has = [](const std::set<std::string>& names, const auto& is_same) {
-      return std::any_of(names.begin(), names.end(), is_same);
-    };
-    if (m_outputs.count(name) > 0 || m_patterns.count(name) > 0)
-      return true;
-    if (output.is_for_each_segment())
-      return has(m_outputs, [&](const std::string& other) { return is_segment_file(name, other); });
-    return has(m_patterns, [&](const std::string& other) { return is_segment_file(other, name); });
-  }
-
-  std::map<std::string, std::string> m_files;  ///< with what they are
-  std::set<std::string> m_outputs, m_patterns; ///< for one file, and for one for each segment
-  bool m_has_stdout = false;
-};
-
-void check_outputs(const std::vector<Job>& jobs)
+Run_files files_to_read(const std::vector<Job>& jobs)
 {
-  File_registry registry;
+  Run_files files;
   for (const Job& job : jobs) {
     if (!job.is_model && job.input != standard_input)
-      registry.add(job.input, "an input");
+      files.emplace(name_without_links(job.input), "an input");
     if (ending_of(job.input) == "obj")
-      registry.add(std::filesystem::path(job.input).replace_extension("mtl").string(),
-                   "the materials of an input");
+      files.emplace(
+        name_without_links(std::filesystem::path(job.input).replace_extension("mtl").string()),
+        "the materials of an input");
     for (const std::string& truth : job.truths)
-      registry.add(truth, "a truth");
+      files.emplace(name_without_links(truth), "a truth");
     for (const Side_file& file : side_files)
       if (const std::string& name = job.side_files.*file.name; !name.empty())
-        registry.add(name, file.what);
+        files.emplace(name_without_links(name), file.what);
   }
-  for (const Job& job : jobs)
-    for (const Output& output : job.outputs)
-      registry.add_output(output);
+  return files;
+}
+
+/// Adds an output to the files of a run; `patterns` are those of them that hold `{segment}`.
+/// \throws Usage_error if one of the files would be replaced
+void add_output(const Output& output, Run_files& files, std::vector<std::string>& patterns)
+{
+  if (!output.is_stdout() && is_written_directly(output.file))
+    return;
+  const std::string start = option_of(output) + " " + output.file + ": ",
+                    library = material_library(output);
+  const std::string name = output.is_stdout() ? output.file : name_without_links(output.file);
+  if (!library.empty())
+    if (const auto found = files.find(name_without_links(library)); found != files.end())
+      throw Usage_error(start + "its .mtl would replace " + found->second);
+  auto found = files.find(name);
+  for (const std::string& pattern : patterns)
+    if (is_segment_file(pattern, name))
+      found = files.find(pattern);
+  if (output.is_for_each_segment() && found == files.end())
+    found = std::find_if(files.begin(), files.end(),
+                         [&](const auto& file) { return is_segment_file(name, file.first); });
+  if (found != files.end())
+    throw Usage_error(start + (found->second == output_of_run ? "would be written twice"
+                                                              : "would replace " + found->second));
+  files.emplace(name, output_of_run);
+  if (output.is_for_each_segment())
+    patterns.push_back(name);
 }
 
 /// \throws Usage_error for an input whose name would make an output one for each segment
@@ -210,7 +187,11 @@ std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model
     jobs.push_back(make_job(input, stem_of_input(input), options));
   if (options.is_demo)
     jobs.push_back(make_job(demo_model, demo_model, options));
-  check_outputs(jobs);
+  Run_files files = files_to_read(jobs);
+  std::vector<std::string> patterns;
+  for (const Job& job : jobs)
+    for (const Output& output : job.outputs)
+      add_output(output, files, patterns);
   return jobs;
 }
 

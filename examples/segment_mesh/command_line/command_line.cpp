@@ -15,6 +15,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -53,7 +54,6 @@ struct Raw_options
 {
   Options options;
   std::vector<std::string> outputs, borders;
-  std::string output_format;
   double maximum_angle = 0, tolerance = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
   std::string method = "learned", features = "concave";
@@ -73,6 +73,26 @@ CLI::IsMember one_of(const std::map<std::string, Value>& names)
   return CLI::IsMember(list);
 }
 
+/// The words of a text in lines that the help has room for; a line break of the text stays.
+std::string wrapped(const std::string& text)
+{
+  constexpr std::size_t width = 55;
+  std::istringstream lines(text);
+  std::string result, line, word;
+  while (std::getline(lines, line)) {
+    result += result.empty() ? "" : "\n";
+    std::size_t used = 0;
+    for (std::istringstream words(line); words >> word; used += word.size() + 1) {
+      if (used + word.size() > width) {
+        result += "\n";
+        used = 0;
+      }
+      result += (used > 0 ? " " : "") + word;
+    }
+  }
+  return result;
+}
+
 /// Adds options to one group of the help. The first line of a text says enough for the short help.
 class Option_group
 {
@@ -86,7 +106,7 @@ public:
   CLI::Option* add(const char* names, Value& value, const char* type, const std::string& text) const
   {
     CLI::Option* const
-      option = m_app.add_option(names, value, text)->option_text(type)->group(m_name);
+      option = m_app.add_option(names, value, wrapped(text))->option_text(type)->group(m_name);
     if (std::string_view(type).substr(0, 4) == "FILE") // a script's unset variable is no name
       option->check(CLI::Validator(
         [](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; },
@@ -103,7 +123,7 @@ public:
 
   CLI::Option* add_flag(const char* names, const char* text) const
   {
-    return m_app.add_flag(names)->description(text)->group(m_name);
+    return m_app.add_flag(names)->description(wrapped(text))->group(m_name);
   }
 
 private:
@@ -114,85 +134,73 @@ private:
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group input(app, "Input");
-  input.add("INPUT", raw.options.inputs, " ", "Meshes: " + endings_of_meshes() + R"(.
-Also compressed as .gz; - is standard input. Several
-inputs are processed one after the other.)");
+  input.add("INPUT", raw.options.inputs, " ",
+            "Meshes: " + endings_of_meshes() +
+              ".\n"
+              "Also compressed as .gz; - is standard input. Several inputs are processed one "
+              "after the other.");
   input
     .add("--input-format", raw.input_format, "FORMAT",
-         R"(For all inputs, whatever their extensions: the
-extension that they would have, without the dot.
-Needed for standard input.)")
+         "For all inputs, whatever their extensions: the extension that they would "
+         "have, without the dot. Needed for standard input.")
     ->check(one_of(formats));
-  input.add_flag("--demo", R"(Instead of an INPUT: a figure that the program has.
-It knows the parts: their number is the default of -k,
-and the score against them is printed.)");
+  input.add_flag("--demo",
+                 "Instead of an INPUT: a figure that the program has.\n"
+                 "It knows the parts: their number is the default of -k, and the score against "
+                 "them is printed.");
   input.add("--labels", raw.options.side_files.labels, "FILE.seg",
-            R"(Segments that exist, instead of segmenting.
-The file has a label for each face. They are drawn,
-described and compared; faces of label -1 are of no
-segment. {stem} as in -o.)");
+            "Segments that exist, instead of segmenting.\n"
+            "The file has a label for each face. They are drawn, described and compared; "
+            "faces of label -1 are of no segment. {stem} as in -o.");
   input
     .add("--labels-from", raw.labels_from, "SETS",
-         R"(The same with the groups (.obj; nodes of .gltf),
-materials (.obj, .gltf) or solids (.stl) of the INPUT.
-Segments have their names.)")
+         "The same with the groups (.obj; nodes of .gltf), materials (.obj, .gltf) or "
+         "solids (.stl) of the INPUT. Segments have their names.")
     ->check(one_of(set_kinds));
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)
 {
   const Option_group output(app, "Output");
-  output.add_repeatable("-o,--output", raw.outputs, "FILE",
-                        R"(Repeatable: .html .png .ply .glb .seg .csv ...
- {stem} in FILE is the name of the input. The file name
- extension selects the format: .html (a page to view
- and rotate the mesh, with every number of segments),
- .png (a picture), .ply, .off, .obj, .vtp (the mesh
- with its segments in colors or groups; .vtp is for
- ParaView; the faces of .obj are ordered by segment,
- and a .mtl beside it has the colors, unless it is a
- pipe), .glb, .3mf, .stl (a part for each segment, to
- be shown or printed), .msh (for gmsh: a physical group
- a segment), .step (for CAD: a solid of the faces of a
- machine part), .seg (the label of each face on a
- line), .csv (a table: area, volume, shape ... of
- each segment), .json (all of it). With .gz after it a
- file is compressed. {segment} in FILE: a mesh for each
- segment. - is stdout. A file appears whole or not at
- all; stdout, a device or a pipe can be left half
- written.)");
+  output.add_repeatable(
+    "-o,--output", raw.outputs, "FILE",
+    "Repeatable: .html .png .ply .glb .seg .csv ...\n"
+    "{stem} in FILE is the name of the input. The file name extension selects the "
+    "format: .html (a page to view and rotate the mesh, with every number of "
+    "segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its "
+    "segments in colors or groups; .vtp is for ParaView; the faces of .obj are "
+    "ordered by segment, and a .mtl beside it has the colors, unless it is a "
+    "pipe), .glb, .3mf, .stl (a part for each segment, to be shown or printed), "
+    ".msh (for gmsh: a physical group a segment), .step (for CAD: a solid of the "
+    "faces of a machine part), .seg (the label of each face on a line), .csv (a "
+    "table: area, volume, shape ... of each segment), .json (all of it). With .gz "
+    "after it a file is compressed. {segment} in FILE: a mesh for each segment. "
+    "FORMAT:FILE is a file of any extension in a format, as csv:- is a table on "
+    "stdout. A file appears whole or not at all; stdout, a device or a pipe can be "
+    "left half written.");
   output.add_flag("--solids",
-                  R"(Each segment of a mesh that -o writes is a closed
- solid, to be printed: caps close its borders.)");
+                  "Each segment of a mesh that -o writes is a closed solid, to be printed: caps "
+                  "close its borders.");
   output.add_flag("--painted",
-                  R"(A .3mf that -o writes is the mesh in one piece, its
- triangles painted for the extruders 1 to 15 of a
- slicer, which can change the colors.)");
+                  "A .3mf that -o writes is the mesh in one piece, its triangles painted for the "
+                  "extruders 1 to 15 of a slicer, which can change the colors.");
   output.add_repeatable("--borders", raw.borders, "FILE",
-                        R"(Repeatable. The borders between segments as
-polylines: .obj or .vtp.)");
-  output.add("--up", raw.up, "AXIS", R"(Of pictures and pages: x, y (default), z, -x, -y or -z.)")
+                        "Repeatable. The borders between segments as polylines: .obj or .vtp.");
+  output.add("--up", raw.up, "AXIS", "Of pictures and pages: x, y (default), z, -x, -y or -z.")
     ->check(one_of(up_directions));
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
-             R"(Of pictures: where the viewer stands, in degrees:
-around the axis that is up (y: from z toward x, z: from
-x toward y, x: from y toward z), and above. Default:
-where most segments are seen.)");
+             "Of pictures: where the viewer stands, in degrees: around the axis that is up "
+             "(y: from z toward x, z: from x toward y, x: from y toward z), and above. "
+             "Default: where most segments are seen.");
   output.add("--size", raw.size, "WIDTHxHEIGHT",
-             R"(Of pictures, in pixels, or N for NxN. Default: 800x600.)");
+             "Of pictures, in pixels, or N for NxN. Default: 800x600.");
   output
     .add("--color", raw.coloring, "BY",
-         R"(Of pictures and pages, what colors tell apart: segment
-(default), or kind, of the surfaces of --method
-smooth-faces: plane (blue), cylinder (red), cone
-(green), sphere (yellow), torus (light blue), freeform
-(purple), several faces (grey).)")
+         "Of pictures and pages, what colors tell apart: segment (default), or kind, of "
+         "the surfaces of --method smooth-faces: plane (blue), cylinder (red), cone "
+         "(green), sphere (yellow), torus (light blue), freeform (purple), several "
+         "faces (grey).")
     ->check(one_of(colorings));
-  output
-    .add("--output-format", raw.output_format, "FORMAT",
-         R"(For every -o, instead of what its extension selects:
-seg, ply, ...)")
-    ->check(CLI::IsMember(output_format_names()));
 }
 
 void add_segmentation(CLI::App& app, Raw_options& raw)
@@ -202,63 +210,57 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "Number of segments. Default: chosen automatically.");
   segmentation
     .add("--method", raw.method, "METHOD",
-         R"(learned, smooth-faces, visibility or two-step.
-learned (default): parts as people see them;
-smooth-faces: the faces of a machine part;
-visibility: parts by a formula;
-two-step: Yang et al. 2014; without -k all regions
-between the features.)")
+         "learned, smooth-faces, visibility or two-step.\n"
+         "learned (default): parts as people see them;\n"
+         "smooth-faces: the faces of a machine part;\n"
+         "visibility: parts by a formula;\n"
+         "two-step: Yang et al. 2014; without -k all regions between the features.")
     ->check(one_of(methods));
   segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
-                   R"(Edges that are borders between segments, whatever the
-method. A line of the file is a sequence of points of
-the mesh, consecutive ones joined by edges; points are
-given by index, starting from 0. {stem} as in -o.)");
+                   "Edges that are borders between segments, whatever the method. A line of the "
+                   "file is a sequence of points of the mesh, consecutive ones joined by edges; "
+                   "points are given by index, starting from 0. {stem} as in -o.");
   segmentation
     .add("--constraints-from", raw.constraints_from, "SETS",
-         R"(The borders of groups, materials or solids of the
-INPUT are borders between segments, too.)")
+         "The borders of groups, materials or solids of the INPUT are borders between "
+         "segments, too.")
     ->check(one_of(set_kinds));
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
-                   R"(Faces that belong together, and faces that do not. A
-line of the file is the index of a face and its seed,
-both starting from 0: equal seeds end in one segment,
-different ones in different segments. {stem} as in -o.)");
-  segmentation.add_flag("--no-links", R"(Components stay apart. Default: those that touch or
-are near each other are adjacent, and -k counts parts,
-not components.)");
-  segmentation.add_flag("--smooth-borders", R"(Move the borders to where they are shorter and lie in
-valleys, by minimum cuts. Segments of different numbers
-are no longer nested.)");
+                   "Faces that belong together, and faces that do not. A line of the file is the "
+                   "index of a face and its seed, both starting from 0: equal seeds end in one "
+                   "segment, different ones in different segments. {stem} as in -o.");
+  segmentation.add_flag(
+    "--no-links", "Components stay apart. Default: those that touch or are near each other are "
+                  "adjacent, and -k counts parts, not components.");
+  segmentation.add_flag("--smooth-borders",
+                        "Move the borders to where they are shorter and lie in valleys, by minimum "
+                        "cuts. Segments of different numbers are no longer nested.");
   segmentation
     .add("--features", raw.features, "KIND",
-         R"(For two-step: edges that can be features: concave
-(default), convex or all.)")
+         "For two-step: edges that can be features: concave (default), convex or all.")
     ->check(one_of(features));
   segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
-                   R"(For two-step: the angle between the normals of two
-faces above which their edge is a feature.
-Default: 1.2372.)");
+                   "For two-step: the angle between the normals of two faces above which their "
+                   "edge is a feature. Default: 1.2372.");
   segmentation.add("--tolerance", raw.tolerance, "DISTANCE",
-                   R"(For smooth-faces: the largest distance of a vertex from
-the surface of its face, in units of the mesh; for a
-scan, some times its noise. Default: 0, found from the
-mesh.)");
+                   "For smooth-faces: the largest distance of a vertex from the surface of its "
+                   "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
+                   "found from the mesh.");
 }
 
 void add_run_options(CLI::App& app, Raw_options& raw)
 {
   Option_group(app, "Comparison")
     .add_repeatable("--truth", raw.options.truths, "FILE.seg",
-                    R"(Print the distance to this segmentation.
-Repeatable. {stem} as in -o. There are five measures,
-and their means if there are several files.)");
+                    "Print the distance to this segmentation.\n"
+                    "Repeatable. {stem} as in -o. There are five measures, and their means if "
+                    "there are several files.");
   const Option_group run(app, "Run");
   run
     .add("--threads", raw.number_of_threads, "N",
          "Most threads for a mesh. Default: 0, one for each core.")
     ->take_last();
-  run.add_flag("-q,--quiet", R"(No progress and remarks, and no line for a mesh.)");
+  run.add_flag("-q,--quiet", "No progress and remarks, and no line for a mesh.");
   app.set_help_flag("-h", "Print the options that are used most, and exit.")->group("Run");
   app.set_help_all_flag("--help", "Print all options, and exit.")->group("Run");
   app
@@ -296,7 +298,7 @@ constexpr const char* long_footer = R"(Examples:
       A batch, for ParaView.
   segment_mesh a.off --labels a.seg --truth b.seg -o a.csv
       Compare and describe existing segments.
-  segment_mesh a.off -q -o - --output-format csv | sort
+  segment_mesh a.off -q -o csv:- | sort
       A table on stdout.
 
 Exit status:
@@ -413,16 +415,10 @@ Output_content content_of_outputs(const CLI::App& app)
 
 std::vector<Output> make_outputs(const CLI::App& app, const Raw_options& raw)
 {
-  std::optional<Output_format> format;
-  if (app.count("--output-format") > 0) {
-    const std::vector<std::string>& names = output_format_names();
-    format = Output_format(std::find(names.begin(), names.end(), raw.output_format) -
-                           names.begin());
-  }
   const Output_content content = content_of_outputs(app);
   std::vector<Output> outputs;
   for (const std::string& file : raw.outputs)
-    outputs.push_back(make_output(file, content, format));
+    outputs.push_back(make_output(file, content));
   if (std::none_of(outputs.begin(), outputs.end(),
                    [=](const Output& output) { return output.content == content; })) {
     if (content == Output_content::SOLIDS)

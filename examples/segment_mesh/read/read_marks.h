@@ -4,7 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MARKS_H
 
 #include "read/read_mesh.h"
-#include "segmentation/Marks.h"
+#include "segmentation/run_segmentation.h"
 
 #include <vector>
 

@@ -48,14 +48,14 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
 /// \name One function a format
 /// @{
 /// An item on each line, with normals and textures, which are skipped; or a stream of words as its
-/// header has it, of which colors are skipped, too. Also with a `4OFF` header, and with the `OFF4 4
-/// 0` of some data sets. Lines beyond the numbers of the header are skipped, with a remark.
+/// header has it, of which colors are skipped, too. Also with the `OFF4 4 0` of some data sets.
+/// Lines beyond the numbers of the header are skipped, with a remark.
 Input_mesh read_off(const std::string& file, std::string_view bytes);
 /// Statements that are not of the format are skipped, with a remark.
 Input_mesh read_obj(const std::string& file, std::string_view bytes);
 /// Text and binary of both orders of bytes, values of any type; elements and properties beside
-/// those of vertices, faces and triangle strips (`tristrips`) are skipped; what is beyond the
-/// numbers of the header, too, with a remark.
+/// those of vertices and faces are skipped; what is beyond the numbers of the header, too, with a
+/// remark.
 Input_mesh read_ply(const std::string& file, std::string_view bytes);
 /// Text and binary; bytes beyond the number of a binary file are skipped, with a remark. Each
 /// triangle has points of its own.

@@ -3,7 +3,6 @@
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 #include "read/read_mesh.h"
-#include "soup/vector_algebra.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,15 +16,14 @@ constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
 
 struct Off_header
 {
-  bool is_homogeneous, has_normals, has_colors;
+  bool has_normals, has_colors;
   int number_of_values; // of a vertex: coordinates, normal, color, texture
   std::int64_t number_of_vertices, number_of_faces;
 };
 
 /// How items lie in the text. Most programs write one on each line, perhaps with values that the
-/// header does not name. The format has words that may be on any line; the color of a face, if it
-/// has one, ends with the line.
-enum class Off_layout { ITEMS_ON_LINES, FACES_END_LINES, WORDS };
+/// header does not name. The format has words that may be on any line.
+enum class Off_layout { ITEMS_ON_LINES, WORDS };
 
 std::int64_t read_count(Text_scanner& scan, std::string_view word, const char* what)
 {
@@ -44,7 +42,7 @@ bool skip(std::string_view prefix, std::string_view& text)
   return is_there;
 }
 
-/// `OFF` after `ST`, `C`, `N` and `4` for what vertices have, and the numbers of vertices, faces
+/// `OFF` after `ST`, `C` and `N` for what vertices have, and the numbers of vertices, faces
 /// and edges, the first of which may follow without a blank.
 Off_header read_header(Text_scanner& scan)
 {
@@ -63,7 +61,6 @@ Off_header read_header(Text_scanner& scan)
     header.has_normals |= is_normal;
     is_prefix = is_color || is_normal || has("ST", 2);
   }
-  header.is_homogeneous = has("4", 1);
   if (!skip("OFF", rest) || rest.find_first_not_of("0123456789") != std::string_view::npos)
     scan.fail("no OFF header, but " + in_quotes(keyword));
   const std::string_view first = rest.empty() ? scan.word_of_any_line() : rest;
@@ -107,7 +104,7 @@ public:
     while (soup.polygons.size() < number_of_faces) {
       next_item(soup.polygons.size(), number_of_faces, "face");
       read_face(soup.polygons);
-      if (m_layout != Off_layout::WORDS)
+      if (m_layout == Off_layout::ITEMS_ON_LINES)
         m_scan.skip_line();
     }
     if (go_to_word()) {
@@ -155,19 +152,11 @@ private:
 
   Point read_point()
   {
-    const int size = m_header.is_homogeneous ? 4 : 3;
-    double values[4];
-    for (int j = 0; j < size; ++j)
-      values[j] = m_scan.finite_number(word(j, size, "a vertex", "coordinates"));
-    for (int j = size; m_layout != Off_layout::ITEMS_ON_LINES && j < m_header.number_of_values; ++j)
+    Point point;
+    for (int j = 0; j < 3; ++j)
+      point[std::size_t(j)] = m_scan.finite_number(word(j, 3, "a vertex", "coordinates"));
+    for (int j = 3; m_layout == Off_layout::WORDS && j < m_header.number_of_values; ++j)
       word(j, m_header.number_of_values, "a vertex", "values");
-    if (!m_header.is_homogeneous)
-      return {values[0], values[1], values[2]};
-    if (values[3] == 0)
-      m_scan.fail("a vertex at infinity: its fourth coordinate is 0");
-    const Point point = {values[0] / values[3], values[1] / values[3], values[2] / values[3]};
-    if (!is_finite(point))
-      m_scan.fail("a vertex whose coordinates, divided by the fourth, are not finite numbers");
     return point;
   }
 
@@ -215,13 +204,12 @@ Input_mesh read_off(const std::string& file, std::string_view bytes)
   const Off_header header = read_header(scan);
   try {
     return Off_reader(scan, header, Off_layout::ITEMS_ON_LINES).read();
-  } catch (const Input_error&) {
-    for (const Off_layout other : {Off_layout::FACES_END_LINES, Off_layout::WORDS})
-      try {
-        return Off_reader(scan, header, other).read();
-      } catch (const Input_error&) { // the message on the usual layout is the clearest one
-      }
-    throw;
+  } catch (const Input_error& error) {
+    try {
+      return Off_reader(scan, header, Off_layout::WORDS).read();
+    } catch (const Input_error&) {
+      throw error; // the message on the usual layout is the clearest one
+    }
   }
 }
 

@@ -20,7 +20,7 @@ namespace segment_mesh {
 namespace {
 
 /// What the reader makes of a property.
-enum class Ply_role { X, Y, Z, RED, GREEN, BLUE, U, V, CORNERS, STRIPS, TEXTURE, NONE };
+enum class Ply_role { X, Y, Z, RED, GREEN, BLUE, U, V, CORNERS, TEXTURE, NONE };
 
 struct Ply_property
 {
@@ -40,7 +40,6 @@ struct Ply_element
 
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
-  bool is_strips() const { return name == "tristrips"; }
   bool has(Ply_role role) const
   {
     return std::any_of(properties.begin(), properties.end(),
@@ -105,11 +104,8 @@ Ply_role role_of(const Ply_element& element, const std::string& property)
   }
   if (element.is_face() && property == "texcoord")
     return Ply_role::TEXTURE;
-  const bool is_list_of_vertices = property == "vertex_indices" || property == "vertex_index";
-  if (element.is_face() && is_list_of_vertices)
+  if (element.is_face() && (property == "vertex_indices" || property == "vertex_index"))
     return Ply_role::CORNERS;
-  if (element.is_strips() && is_list_of_vertices)
-    return Ply_role::STRIPS;
   return Ply_role::NONE;
 }
 
@@ -134,7 +130,7 @@ Ply_property read_property(Text_scanner& scan, const Ply_element& element)
   if ((property.role < Ply_role::CORNERS && !is_coordinate && property.is_list) ||
       (property.role == Ply_role::TEXTURE && !property.is_list))
     property.role = Ply_role::NONE;
-  if (property.role == Ply_role::CORNERS || property.role == Ply_role::STRIPS) {
+  if (property.role == Ply_role::CORNERS) {
     if (!property.is_list || is_floating_point(property.type))
       scan.fail("property " + property.name + " is not a list of integers");
   } else if (is_coordinate && property.is_list)
@@ -156,11 +152,9 @@ void check_element(const std::string& file, const Ply_element& element)
     throw Input_error(file, element.line, "a vertex needs the properties x, y and z, once each");
   if (element.is_face() && count(Ply_role::CORNERS) != 1)
     throw Input_error(file, element.line, "a face needs the property vertex_indices, once");
-  if (element.is_strips() && count(Ply_role::STRIPS) != 1)
-    throw Input_error(file, element.line, "triangle strips need the property vertex_indices, once");
 }
 
-/// Reads the header, and checks that there are what vertices, faces and triangle strips need.
+/// Reads the header, and checks that there are what vertices and faces need.
 /// \param scan at the start of the file; left at the last line of the header
 Ply_header read_header(const std::string& file, Text_scanner& scan)
 {
@@ -357,8 +351,6 @@ private:
       read_face(property.type, size);
     else if (size < 0)
       fail("a list of " + std::to_string(size) + " values");
-    else if (property.role == Ply_role::STRIPS)
-      read_strips(property.type, size);
     else if (property.role == Ply_role::TEXTURE)
       for (std::int64_t i = 0; i < size; ++i)
         m_texture.push_back(number(property));
@@ -426,26 +418,6 @@ private:
     for (std::int64_t i = 0; i < size; ++i)
       m_soup.polygons.add_corner(checked(integer(type)));
     m_soup.polygons.close_polygon();
-  }
-
-  /// Each point after two makes a triangle with these, whose orientation alternates; -1 ends a
-  /// strip. Triangles with a point twice lead from one strip to the next, and are none.
-  void read_strips(Number_type type, std::int64_t size)
-  {
-    std::size_t a = 0, b = 0, length = 0;
-    for (std::int64_t i = 0; i < size; ++i) {
-      const std::int64_t index = integer(type);
-      if (index == -1) {
-        length = 0;
-        continue;
-      }
-      const std::size_t c = checked(index);
-      if (length >= 2 && a != b && b != c && c != a)
-        m_soup.polygons.push_back(length % 2 == 0 ? std::array{a, b, c} : std::array{b, a, c});
-      a = b;
-      b = c;
-      ++length;
-    }
   }
 
   std::size_t checked(std::int64_t index) const

@@ -3,6 +3,7 @@
 #include "segmentation/Segmentation_details.h"
 
 #include "segmentation/Manifold.h"
+#include "segmentation/segment_attributes.h"
 
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
@@ -149,18 +150,6 @@ std::string clean_name(const std::string& name)
     result += stays ? c : '_';
   }
   return result.substr(0, longest);
-}
-
-const char* name_of(RS::Surface_kind kind)
-{
-  constexpr const char* names[] = {"plane", "cylinder", "cone", "sphere", "torus", "freeform"};
-  return names[std::size_t(kind)];
-}
-
-const char* name_of(RS::Face_role role)
-{
-  constexpr const char* names[] = {"none", "blend", "hole", "boss"};
-  return names[std::size_t(role)];
 }
 
 /// The graph of the regions, whose vertices are numbered by their first faces.

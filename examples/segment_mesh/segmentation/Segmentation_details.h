@@ -44,10 +44,6 @@ inline std::string name_of_segment(std::size_t segment)
 /// not a letter of ASCII, a digit, or one of `_ . + -`; at most 100 characters.
 std::string clean_name(const std::string& name);
 
-/// "plane" and so on.
-const char* name_of(CGAL::Region_segmentation::Surface_kind kind);
-const char* name_of(CGAL::Region_segmentation::Face_role role);
-
 /// The last two of the method smooth-faces alone.
 struct Segment_description : CGAL::Region_segmentation::Segment_description<std::size_t, Kernel>
 {

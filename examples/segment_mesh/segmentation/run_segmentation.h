@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_RUN_SEGMENTATION_H
 
-#include "segmentation/Marks.h"
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
@@ -18,7 +17,20 @@
 
 namespace segment_mesh {
 
+/// The seed of a face that has none.
+constexpr std::size_t no_seed = std::size_t(-1);
+
+/// Edges and faces of the mesh to be segmented that a user marked.
+struct Marks
+{
+  std::vector<Vertex_pair> constrained_edges; ///< sorted, each with the lower point first
+  std::vector<std::size_t> seed_of_face;      ///< or `no_seed`; empty if no face has one
+};
+
 enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
+
+/// The names of the methods, in their order.
+constexpr const char* method_names[] = {"two-step", "visibility", "learned", "smooth-faces"};
 
 /// What becomes of the borders that a method gives.
 enum class Border_treatment { NONE, SMOOTHING };

@@ -31,11 +31,4 @@ void write_png(const Image& image, std::ostream& out)
   out.write(bytes.data(), std::streamsize(size));
 }
 
-void write_png_view(std::ostream& out, const Polygon_soup& soup,
-                    const std::vector<std::size_t>& labels,
-                    const std::vector<Vertex_pair>& feature_edges, const View_options& options)
-{
-  write_png(render_view(soup, labels, feature_edges, options), out);
-}
-
 } // namespace segment_mesh

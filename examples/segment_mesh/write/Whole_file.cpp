@@ -5,7 +5,6 @@
 #include "read/errors.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <initializer_list>
 #include <iostream>
 #include <random>
@@ -30,40 +29,12 @@ std::string reason(int error_number)
 /// What `fs::weakly_canonical()` does not do.
 fs::path follow_links_to_nothing(fs::path path)
 {
-  constexpr int most_links = 40; // as on Linux
   std::error_code ignored;
-  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(path, ignored)) &&
+  for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(path, ignored)) &&
                       !fs::exists(path, ignored);
-       ++links)
+       ++links) // 40 at most, as on Linux
     path = path.parent_path() / fs::read_symlink(path, ignored);
   return path;
-}
-
-/// The file that is to be replaced: behind symbolic links, since renaming onto a link would replace
-/// the link.
-fs::path target_of(const std::string& file)
-{
-  const fs::path target = resolve_links(file);
-  std::error_code error;
-  if (fs::is_symlink(fs::symlink_status(target, error)))
-    throw Output_error(file, "is a symbolic link that leads to itself");
-  if (fs::is_directory(target, error))
-    throw Output_error(file, "is a directory");
-  return target;
-}
-
-/// An empty file that was not there before.
-fs::path make_temporary(const std::string& file, const fs::path& folder)
-{
-  for (;;) {
-    const fs::path path = folder / ("." + std::to_string(std::random_device()()) + ".part");
-    if (std::FILE* const made = std::fopen(path.string().c_str(), "wbx")) { // x: not if it is there
-      std::fclose(made);
-      return path;
-    }
-    if (errno != EEXIST)
-      throw Output_error(file, "cannot be written" + reason(errno));
-  }
 }
 
 } // namespace
@@ -80,11 +51,18 @@ Whole_file::Whole_file(const std::string& file)
       throw Output_error(file, "cannot be written" + reason(errno));
     return;
   }
-  m_target = target_of(file);
-  m_temporary = make_temporary(file, m_target.parent_path());
-  m_out.open(m_temporary, std::ios::binary);
-  // Before anything is written, since the old file may be private.
+  // Behind symbolic links, since renaming onto a link would replace the link.
+  m_target = resolve_links(file);
   std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(m_target, ignored)))
+    throw Output_error(file, "is a symbolic link that leads to itself");
+  if (fs::is_directory(m_target, ignored))
+    throw Output_error(file, "is a directory");
+  m_temporary = m_target.parent_path() / ("." + std::to_string(std::random_device()()) + ".part");
+  m_out.open(m_temporary, std::ios::binary);
+  if (!m_out)
+    throw Output_error(file, "cannot be written" + reason(errno));
+  // Before anything is written, since the old file may be private.
   if (const fs::file_status old = fs::status(m_target, ignored); fs::is_regular_file(old))
     fs::permissions(m_temporary, old.permissions(), ignored);
   errno = 0;
@@ -134,8 +112,8 @@ fs::path resolve_links(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
-  const fs::path path = follow_links_to_nothing(fs::absolute(file, error));
-  const fs::path resolved = fs::weakly_canonical(path, error);
+  const fs::path resolved = fs::weakly_canonical(follow_links_to_nothing(fs::absolute(file)),
+                                                 error);
   return error ? fs::path(file) : resolved;
 }
 

@@ -12,8 +12,8 @@ namespace segment_mesh {
 /// The name of stdout as an output.
 constexpr const char* standard_output = "-";
 
-/// An output. A file appears whole or not at all: a temporary one beside it, of a name
-/// `.DIGITS.part` that nothing has, is written, and takes its place in the end. Until then, and for
+/// An output. A file appears whole or not at all: a temporary one beside it, of a random name
+/// `.DIGITS.part`, is written, and takes its place in the end. Until then, and for
 /// good if that fails, what was there before stays. A program that is killed may leave a temporary
 /// file. What `is_written_directly()` alone can be left half written.
 class Whole_file

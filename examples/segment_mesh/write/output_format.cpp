@@ -20,13 +20,13 @@ bool names_stdout(const std::string& file)
   return std::find(std::begin(names), std::end(names), file) != std::end(names);
 }
 
-Output_format format_of_ending(const std::string& file, const std::string& ending)
+/// The format that a word names, if there is one.
+std::optional<Output_format> format_of_word(const std::string& word)
 {
   const std::vector<std::string>& names = output_format_names();
-  const auto found = std::find(names.begin(), names.end(), ending);
-  if (found == names.end())
-    throw Usage_error(file + ": unknown extension of an output, not " + list_of_endings(names));
-  return Output_format(found - names.begin());
+  const auto found = std::find(names.begin(), names.end(), word);
+  return found == names.end() ? std::nullopt
+                              : std::optional<Output_format>(Output_format(found - names.begin()));
 }
 
 bool is_mesh(Output_format format)
@@ -103,9 +103,11 @@ bool is_segment_file(const std::string& pattern, const std::string& name)
   return false;
 }
 
-Output make_output(const std::string& file, Output_content content,
-                   const std::optional<Output_format>& format)
+Output make_output(const std::string& text, Output_content content)
 {
+  const std::size_t colon = (std::min)(text.find(':'), text.size());
+  std::optional<Output_format> format = format_of_word(text.substr(0, colon));
+  const std::string file = format && colon < text.size() ? text.substr(colon + 1) : text;
   Output output{names_stdout(file) ? standard_output : file, Output_format::SEG, content,
                 Compression::NONE};
   std::filesystem::path name = file;
@@ -115,10 +117,14 @@ Output make_output(const std::string& file, Output_content content,
   }
   if (output.is_stdout() && content == Output_content::BORDERS)
     throw Usage_error("--borders -: borders are written to a file");
-  if (!format && content != Output_content::BORDERS && !name.has_extension() &&
-      is_written_directly(file))
-    throw Usage_error("-o " + file + ": needs --output-format");
-  output.format = format ? *format : format_of_ending(file, ending_of(name.string()));
+  if (file == text) // no format before a colon
+    format = format_of_word(ending_of(name.string()));
+  if (!format && !name.has_extension() && is_written_directly(file))
+    throw Usage_error("-o " + file + ": needs a format, as in -o ply:" + file);
+  if (!format)
+    throw Usage_error(file + ": unknown extension of an output, not " +
+                      list_of_endings(output_format_names()));
+  output.format = *format;
   if ((content == Output_content::SOLIDS && !is_mesh(output.format)) ||
       (content == Output_content::PAINTED && output.format != Output_format::THREE_MF))
     output.content = Output_content::SEGMENTS;

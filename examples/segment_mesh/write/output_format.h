@@ -6,7 +6,6 @@
 #include "write/Whole_file.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,13 +66,12 @@ const std::vector<std::string>& output_format_names();
 /// Whether meshes in this format have the names of their segments.
 bool has_names(Output_format format);
 
-/// An output in `format`, or in the one that the ending of `file` names in upper or lower case,
-/// before a last ".gz" for a compressed one. Solids that are asked for are segments where the
-/// format is not of meshes, and so is what is to be painted but in a format other than .3mf.
-/// \throws Usage_error if the ending names no format, or if what is to be written cannot be in this
-/// format
-Output make_output(const std::string& file, Output_content content = Output_content::SEGMENTS,
-                   const std::optional<Output_format>& format = std::nullopt);
+/// An output in the format that the ending of a file names in upper or lower case, before a last
+/// ".gz" for a compressed one, or in the format that stands before the file and a colon: `csv:-`.
+/// Solids that are asked for are segments where the format is not of meshes, and so is what is to
+/// be painted but in a format other than .3mf. \throws Usage_error if the ending names no format,
+/// or if what is to be written cannot be in this format
+Output make_output(const std::string& text, Output_content content = Output_content::SEGMENTS);
 
 } // namespace segment_mesh
 

@@ -246,8 +246,9 @@ void write_view(std::ostream& out, const Result& result)
   options.colors = result.details.colors(result.coloring, result.segmentation.segment_of_face,
                                          result.segmentation.number_of_segments);
   options.marked_edges = lines_of_marks(result.marks, result.input);
-  write_png_view(out, result.input.soup, result.segmentation.segment_of_face,
-                 edges_of_lines(result.details.feature_lines()), options);
+  write_png(render_view(result.input.soup, result.segmentation.segment_of_face,
+                        edges_of_lines(result.details.feature_lines()), options),
+            out);
 }
 
 void write_html(std::ostream& out, const Result& result)

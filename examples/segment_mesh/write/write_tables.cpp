@@ -82,14 +82,6 @@ const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
                                                  : "all";
 }
 
-const char* name_of(Method method)
-{
-  return method == Method::TWO_STEP     ? "two-step"
-         : method == Method::VISIBILITY ? "visibility"
-         : method == Method::LEARNED    ? "learned"
-                                        : "smooth-faces";
-}
-
 ordered_json settings_json(const Result& result)
 {
   if (!result.side_files.labels.empty())
@@ -97,7 +89,7 @@ ordered_json settings_json(const Result& result)
   if (const auto& kind = result.side_files.labels_from)
     return {{"labels_from", set_kind_names[std::size_t(*kind)]}};
   const Segmentation_settings& settings = result.settings;
-  ordered_json json = {{"method", name_of(settings.method)},
+  ordered_json json = {{"method", method_names[std::size_t(settings.method)]},
                        {"segments", nullptr},
                        {"links", settings.links == Component_links::FOUND},
                        {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
