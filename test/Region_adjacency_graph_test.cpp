@@ -245,60 +245,58 @@ void expect_equal(const Graph& g, const Oracle& oracle)
   }
 }
 
+/// A graph and an oracle, to which the same is done.
+struct Graphs
+{
+  Graph graph;
+  Oracle oracle;
+
+  void add_region(double area) { oracle.area[graph.add_region(region(area))] = area; }
+
+  void add_section(Region a, Region b, double length, bool is_mergeable)
+  {
+    const Section s = graph.add_section(a, b, section(length));
+    ASSERT_EQ(source(s, graph), a);
+    if (!is_mergeable)
+      graph.forbid_merge(s);
+    oracle.sections[std::minmax(a, b)] = {length, 1, is_mergeable};
+  }
+
+  void merge(Region a, Region b)
+  {
+    const auto merge = graph.merge(*graph.section(a, b));
+    ASSERT_EQ(merge.kept, (std::min)(a, b));
+    ASSERT_EQ(merge.removed, (std::max)(a, b));
+    oracle.merge(a, b);
+  }
+};
+
 TEST(Region_adjacency_graph_test, agrees_with_maps_over_random_merges)
 {
   for (unsigned seed = 0; seed < 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    Graph g;
-    Oracle oracle;
+    Graphs graphs;
     const std::size_t n = 2 + random() % 40;
-    for (std::size_t r = 0; r < n; ++r) {
-      const double area = double(random() % 100);
-      oracle.area[g.add_region(region(area))] = area;
-    }
+    for (std::size_t r = 0; r < n; ++r)
+      graphs.add_region(double(random() % 100));
     for (std::size_t i = random() % (3 * n); i > 0; --i) {
       const Region a = random() % n, b = seed % 3 ? random() % n : 0; // or a star
-      if (a == b || g.section(a, b))
-        continue;
-      const double length = double(random() % 100);
-      const Section s = g.add_section(a, b, section(length));
-      ASSERT_EQ(source(s, g), a);
-      const bool is_mergeable = random() % 10 != 0;
-      if (!is_mergeable)
-        g.forbid_merge(s);
-      oracle.sections[{(std::min)(a, b), (std::max)(a, b)}] = {length, 1, is_mergeable};
+      if (a != b && !graphs.graph.section(a, b))
+        graphs.add_section(a, b, double(random() % 100), random() % 10 != 0);
     }
     while (true) {
-      ASSERT_NO_FATAL_FAILURE(expect_equal(g, oracle));
+      ASSERT_NO_FATAL_FAILURE(expect_equal(graphs.graph, graphs.oracle));
       std::vector<std::pair<Region, Region>> ways;
-      for (const auto& [pair, data] : oracle.sections)
+      for (const auto& [pair, data] : graphs.oracle.sections)
         if (data.is_mergeable)
           ways.push_back(pair);
       if (ways.empty())
         break;
       const auto [a, b] = ways[random() % ways.size()];
-      const auto merge = random() % 2 ? g.merge(*g.section(a, b)) : g.merge(*g.section(b, a));
-      ASSERT_EQ(merge.kept, a);
-      ASSERT_EQ(merge.removed, b);
-      oracle.merge(a, b);
+      random() % 2 ? graphs.merge(a, b) : graphs.merge(b, a);
     }
   }
-}
-
-/// Pairs of regions, each once; some regions are neighbors of most.
-std::vector<std::pair<Region, Region>> random_pairs(std::size_t regions, std::size_t hubs,
-                                                    std::mt19937& random)
-{
-  std::set<std::pair<Region, Region>> pairs;
-  for (std::size_t i = 0; i < 3 * regions; ++i) {
-    const Region a = random() % regions, b = random() % (random() % 2 ? hubs : regions);
-    if (a != b)
-      pairs.insert({(std::min)(a, b), (std::max)(a, b)});
-  }
-  std::vector<std::pair<Region, Region>> result(pairs.begin(), pairs.end());
-  std::shuffle(result.begin(), result.end(), random);
-  return result;
 }
 
 TEST(Region_adjacency_graph_test, agrees_with_maps_where_some_regions_have_very_many_sections)
@@ -306,26 +304,25 @@ TEST(Region_adjacency_graph_test, agrees_with_maps_where_some_regions_have_very_
   for (unsigned seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    const std::size_t n = 600;
-    Graph g;
-    Oracle oracle;
+    const std::size_t n = 600, hubs = 3;
+    Graphs graphs;
     for (Region r = 0; r < n; ++r)
-      oracle.area[g.add_region(region(r))] = r;
-    for (const auto& [a, b] : random_pairs(n, 3, random)) {
-      g.add_section(a, b, section(a + b));
-      oracle.sections[{a, b}] = {double(a + b), 1, true};
+      graphs.add_region(r);
+    for (std::size_t i = 0; i < 3 * n; ++i) {
+      const Region a = random() % n, b = random() % (random() % 2 ? hubs : n);
+      if (a != b && !graphs.graph.section(a, b))
+        graphs.add_section(a, b, a + b, true);
     }
-    EXPECT_GT(degree(0, g), 150u);
-    while (!oracle.sections.empty()) {
+    EXPECT_GT(degree(0, graphs.graph), 150u);
+    const auto& sections = graphs.oracle.sections;
+    while (!sections.empty()) {
       // Among the hubs, or any.
-      auto way = oracle.sections.begin();
-      if (random() % 20)
-        std::advance(way, random() % oracle.sections.size());
+      const auto way = std::next(sections.begin(),
+                                 random() % 20 ? std::ptrdiff_t(random() % sections.size()) : 0);
       const auto [a, b] = way->first;
-      g.merge(*g.section(b, a));
-      oracle.merge(a, b);
-      if (oracle.area.size() % 16 == 0 || oracle.sections.size() < 16) {
-        ASSERT_NO_FATAL_FAILURE(expect_equal(g, oracle));
+      graphs.merge(b, a);
+      if (graphs.oracle.area.size() % 16 == 0 || sections.size() < 16) {
+        ASSERT_NO_FATAL_FAILURE(expect_equal(graphs.graph, graphs.oracle));
       }
     }
   }
@@ -378,11 +375,7 @@ TEST(Region_adjacency_graph_test, a_copy_of_a_merged_hub_takes_in_another_one)
 Graph build(const Soup& soup, const Labels& labels)
 {
   const Surface_mesh mesh = to_surface_mesh(soup);
-  auto map = face_map(mesh);
-  std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(map, f, labels[i++]);
-  return test::build_region_adjacency_graph(mesh, map);
+  return test::build_region_adjacency_graph(mesh, face_labels(mesh, labels));
 }
 
 TEST(Build_region_adjacency_graph_test, borders_of_the_mesh_are_no_perimeter)
@@ -421,49 +414,32 @@ TEST(Build_region_adjacency_graph_test, labels_are_any_integers)
   EXPECT_FALSE(g.section(1, 2));
 }
 
-TEST(Build_region_adjacency_graph_test, of_a_surface_and_a_partition)
+TEST(Build_region_adjacency_graph_test, a_partition_of_other_faces_is_refused)
 {
-  for (Family family : all_families) {
-    SCOPED_TRACE(name(family));
-    const Soup soup = random_mesh(family, 3);
-    const Labels labels = run(soup, Options(3, reference::Convexity::all)).regions;
-    const Graph expected = build(soup, labels);
-    const RS::Surface surface = RS::make_surface(to_surface_mesh(soup));
-    const auto partition = RS::Partition::from_labels(labels);
-    const Graph g = RS::build_region_adjacency_graph(surface, partition);
-    ASSERT_EQ(g.number_of_regions(), expected.number_of_regions());
-    ASSERT_EQ(g.number_of_sections(), expected.number_of_sections());
-    for (auto range = edges(expected); range.first != range.second; ++range.first)
-      EXPECT_EQ(g[*g.section(source(*range.first, g), target(*range.first, g))].length,
-                expected[*range.first].length);
-
-    const std::vector<int> too_few(soup.polygons.size() - 1, 0);
-    EXPECT_THROW(RS::build_region_adjacency_graph(surface, RS::Partition::from_labels(too_few)),
-                 RS::Invalid_method);
-  }
+  const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
+  EXPECT_THROW(
+    RS::build_region_adjacency_graph(surface, RS::Partition::from_labels(std::vector<int>(5))),
+    RS::Invalid_method);
 }
 
 TEST(Build_region_adjacency_graph_test, merged_data_is_that_of_the_merged_labels)
 {
-  for (Family family : all_families)
-    for (unsigned seed = 0; seed < 8; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const Result result = run(soup, Options(3, reference::Convexity::all));
-      Graph merged = build(soup, result.regions);
-      std::map<std::size_t, Region> region_of_segment;
-      for (const auto& m : result.tree.merges())
-        merged.merge(*merged.section(m.kept, m.removed));
-      for (std::size_t f = 0; f < soup.polygons.size(); ++f)
-        region_of_segment.emplace(result.segments[f], Region(result.regions[f]));
-      const Graph fresh = build(soup, result.segments);
-      ASSERT_EQ(merged.number_of_regions(), fresh.number_of_regions());
-      ASSERT_EQ(merged.number_of_sections(), fresh.number_of_sections());
-      for (const auto& [s, r] : region_of_segment) {
-        EXPECT_NEAR(merged[r].area, fresh[Region(s)].area, 1e-9);
-        EXPECT_NEAR(merged[r].perimeter, fresh[Region(s)].perimeter, 1e-9);
-      }
+  for_each_random_mesh(all_families, 8, [&](const Soup& soup, unsigned) {
+    const Result result = run(soup, Options(3, reference::Convexity::all));
+    Graph merged = build(soup, result.regions);
+    std::map<std::size_t, Region> region_of_segment;
+    for (const auto& m : result.tree.merges())
+      merged.merge(*merged.section(m.kept, m.removed));
+    for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+      region_of_segment.emplace(result.segments[f], Region(result.regions[f]));
+    const Graph fresh = build(soup, result.segments);
+    ASSERT_EQ(merged.number_of_regions(), fresh.number_of_regions());
+    ASSERT_EQ(merged.number_of_sections(), fresh.number_of_sections());
+    for (const auto& [s, r] : region_of_segment) {
+      EXPECT_NEAR(merged[r].area, fresh[Region(s)].area, 1e-9);
+      EXPECT_NEAR(merged[r].perimeter, fresh[Region(s)].perimeter, 1e-9);
     }
+  });
 }
 
 } // namespace Region_adjacency_graph_test

@@ -246,41 +246,29 @@ TEST(Smooth_faces_test, merges_on_when_a_number_is_given)
   EXPECT_EQ(segmenter.segment(map, 13), 10u); // no more than there are
 }
 
-struct Part
+Labelled part(const shapes_with_faces::Shape& shape)
 {
-  const char* name;
-  Soup soup;
-  Labels truth;
-};
-
-Part part(const char* name, const shapes_with_faces::Shape& shape)
-{
-  Part result{name, {}, Labels(shape.faces.begin(), shape.faces.end())};
-  for (const auto& p : shape.points)
-    result.soup.points.push_back({p.x, p.y, p.z});
-  for (const auto& t : shape.triangles)
-    result.soup.polygons.push_back(Polygon(t.begin(), t.end()));
-  return result;
+  return {soup_of(shape), Labels(shape.faces.begin(), shape.faces.end())};
 }
 
-std::vector<Part> parts()
+std::vector<std::pair<const char*, shapes_with_faces::Shape>> parts()
 {
   using namespace shapes_with_faces;
-  return {part("box", box(1, 2, 3, 3)),
-          part("ring", ring(2, 2, 1, 3, 24, 2)),
-          part("coarse ring", ring(2, 2, 1, 3, 12, 1)),
-          part("cone", ring(3, 2, 1, 2, 24, 3)),
-          part("filleted bar", filleted_bar(3, 1, 5, 6, 5)),
-          part("coarse filleted bar", filleted_bar(3, 1, 5, 3, 1)),
-          part("bar rounded widely", filleted_bar(1, 20, 5, 30, 8)),
-          part("dome", dome(2, 24, 7)),
-          part("torus", torus(3, 1, 40, 16))};
+  return {{"box", box(1, 2, 3, 3)},
+          {"ring", ring(2, 2, 1, 3, 24, 2)},
+          {"coarse ring", ring(2, 2, 1, 3, 12, 1)},
+          {"cone", ring(3, 2, 1, 2, 24, 3)},
+          {"filleted bar", filleted_bar(3, 1, 5, 6, 5)},
+          {"coarse filleted bar", filleted_bar(3, 1, 5, 3, 1)},
+          {"bar rounded widely", filleted_bar(1, 20, 5, 30, 8)},
+          {"dome", dome(2, 24, 7)},
+          {"torus", torus(3, 1, 40, 16)}};
 }
 
 TEST(Smooth_faces_test, holes_join_what_they_are_in_before_others)
 {
-  const Part ring = part("ring", shapes_with_faces::ring(2, 2, 1, 3, 24, 2)); // outside, hole, top,
-                                                                              // bottom
+  // Outside, hole, top, bottom.
+  const Labelled ring = part(shapes_with_faces::ring(2, 2, 1, 3, 24, 2));
   const Labels labels = segments_of(
     to_surface_mesh(ring.soup), RS::parameters::number_of_segments(3).method(RS::Smooth_faces()));
   EXPECT_TRUE(are_separate(labels, ring.truth, {0, 2, 3}));
@@ -315,51 +303,42 @@ TEST(Smooth_faces_test, finds_the_faces_of_parts)
   const unsigned seed = 5;
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
-  for (const Part& part : parts()) {
-    SCOPED_TRACE(part.name);
-    EXPECT_EQ(f1(part.truth, labels_of_soup(part.soup)), 1);
-    EXPECT_EQ(f1(part.truth, labels_of_soup(reversed(part.soup))), 1) << "inside out";
-    EXPECT_EQ(f1(part.truth, labels_of_soup(translated(part.soup, 30, -20, 10))), 1) << "moved";
-    for (double scale : {1e-6, 1e6})
-      EXPECT_EQ(f1(part.truth, labels_of_soup(scaled(part.soup, scale))), 1) << scale;
-    Soup separate; // as in a file of STL
-    for (const Polygon& polygon : part.soup.polygons) {
-      separate.polygons.emplace_back();
-      for (std::size_t v : polygon) {
-        separate.polygons.back().push_back(separate.points.size());
-        separate.points.push_back(part.soup.points[v]);
-      }
-    }
-    EXPECT_EQ(f1(part.truth, labels_of_soup(separate)), 1) << "triangles by themselves";
-    std::vector<std::size_t> order(part.truth.size());
+  for (const auto& [name, shape] : parts()) {
+    SCOPED_TRACE(name);
+    const auto [soup, truth] = part(shape);
+    const std::vector<std::pair<const char*, Soup>> variants = {
+      {"as it is", soup},
+      {"inside out", reversed(soup)},
+      {"moved", translated(soup, 30, -20, 10)},
+      {"small", scaled(soup, 1e-6)},
+      {"large", scaled(soup, 1e6)},
+      {"triangles by themselves", torn(soup)}};
+    for (const auto& [change, variant] : variants)
+      EXPECT_EQ(f1(truth, labels_of_soup(variant)), 1) << change;
+    std::vector<std::size_t> order(truth.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::shuffle(order.begin(), order.end(), random);
-    Soup shuffled{part.soup.points, {}};
-    Labels truth;
+    Soup shuffled{soup.points, {}};
+    Labels shuffled_truth;
     for (std::size_t f : order) {
-      shuffled.polygons.push_back(part.soup.polygons[f]);
-      truth.push_back(part.truth[f]);
+      shuffled.polygons.push_back(soup.polygons[f]);
+      shuffled_truth.push_back(truth[f]);
     }
-    EXPECT_EQ(f1(truth, labels_of_soup(shuffled)), 1) << "in random order";
+    EXPECT_EQ(f1(shuffled_truth, labels_of_soup(shuffled)), 1) << "in random order";
   }
 }
 
 TEST(Smooth_faces_test, a_given_tolerance_is_in_units_of_the_mesh)
 {
-  const unsigned seed = 6;
-  std::mt19937 random(seed);
-  Part bar = part("bar", shapes_with_faces::filleted_bar(3, 1, 5, 12, 20));
-  for (Point& p : bar.soup.points)
-    for (double& x : p)
-      x += std::uniform_real_distribution<double>(-2e-3, 2e-3)(random);
+  std::mt19937 random(6);
+  Labelled bar = part(shapes_with_faces::filleted_bar(3, 1, 5, 12, 20));
+  bump(bar.soup, 2e-3, random);
   RS::Smooth_faces method;
   for (double scale : {1.0, 1000.0}) {
     method.tolerance = 8e-3 * scale;
-    EXPECT_GE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.7)
-      << scale << ", seed " << seed;
+    EXPECT_GE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.7) << scale;
     method.tolerance = 1e-7 * scale;
-    EXPECT_LE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.5)
-      << scale << ", seed " << seed;
+    EXPECT_LE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.5) << scale;
   }
 }
 
@@ -380,8 +359,7 @@ struct Canceller
 
 TEST(Smooth_faces_test, reports_progress_and_is_cancelled)
 {
-  const Surface_mesh mesh = to_surface_mesh(
-    part("torus", shapes_with_faces::torus(3, 1, 40, 16)).soup);
+  const Surface_mesh mesh = to_surface_mesh(soup_of(shapes_with_faces::torus(3, 1, 40, 16)));
   auto map = face_map(mesh);
   Canceller all{2, {}}, half{0.5, {}};
   RS::segment(mesh, map, RS::parameters::method(RS::Smooth_faces()).visitor(std::ref(all)));

@@ -35,9 +35,7 @@ Lines extract(const Soup& soup, const std::set<Edge>& features, const Parameters
   std::vector<std::vector<Surface_mesh::Vertex_index>> polylines;
   Lines result;
   test::extract_feature_lines(mesh, map, std::back_inserter(polylines), minimum_length, np);
-  for (const auto& [edge, is_feature] : flags_of(mesh, map))
-    if (is_feature)
-      result.features.insert(edge);
+  result.features = marked_edges(mesh, map);
   for (const auto& polyline : polylines)
     result.lines.emplace_back(polyline.begin(), polyline.end());
   return result;
@@ -117,30 +115,27 @@ TEST(Extract_feature_lines_test, a_mesh_without_features_has_no_lines)
 
 TEST(Extract_feature_lines_test, lines_cover_the_features_once)
 {
-  for (Family family : all_families)
-    for (unsigned seed = 0; seed < 15; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      std::mt19937 random(seed);
-      const auto result = extract(soup, random_edges(soup, 2, random));
-      std::vector<Edge> covered;
-      std::map<std::size_t, std::size_t> degree;
-      for (const Edge& e : result.features)
-        ++degree[e.first], ++degree[e.second];
-      for (const Line& line : result.lines) {
-        ASSERT_GE(line.size(), 2u);
-        for (std::size_t i = 1; i < line.size(); ++i)
-          covered.push_back(make_edge(line[i - 1], line[i]));
-        for (std::size_t i = 1; i + 1 < line.size(); ++i)
-          EXPECT_EQ(degree[line[i]], 2u) << "inside a line";
-        if (line.front() != line.back()) {
-          EXPECT_NE(degree[line.front()], 2u);
-          EXPECT_NE(degree[line.back()], 2u);
-        }
+  for_each_random_mesh(all_families, 15, [&](const Soup& soup, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto result = extract(soup, random_edges(soup, 2, random));
+    std::vector<Edge> covered;
+    std::map<std::size_t, std::size_t> degree;
+    for (const Edge& e : result.features)
+      ++degree[e.first], ++degree[e.second];
+    for (const Line& line : result.lines) {
+      ASSERT_GE(line.size(), 2u);
+      for (std::size_t i = 1; i < line.size(); ++i)
+        covered.push_back(make_edge(line[i - 1], line[i]));
+      for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        EXPECT_EQ(degree[line[i]], 2u) << "inside a line";
+      if (line.front() != line.back()) {
+        EXPECT_NE(degree[line.front()], 2u);
+        EXPECT_NE(degree[line.back()], 2u);
       }
-      std::sort(covered.begin(), covered.end());
-      EXPECT_EQ(covered, std::vector<Edge>(result.features.begin(), result.features.end()));
     }
+    std::sort(covered.begin(), covered.end());
+    EXPECT_EQ(covered, std::vector<Edge>(result.features.begin(), result.features.end()));
+  });
 }
 
 /// The regions between the edges of a set.
@@ -157,23 +152,19 @@ Labels regions(const Soup& soup, const std::set<Edge>& features, const std::set<
 
 TEST(Extract_feature_lines_test, pruning_leaves_the_regions_alone)
 {
-  for (Family family : all_families)
-    for (unsigned seed = 0; seed < 25; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      std::mt19937 random(seed);
-      const Surface_mesh mesh = to_surface_mesh(soup);
-      const std::set<Edge> constrained = seed % 2 ? random_edges(soup, 12, random)
-                                                  : std::set<Edge>();
-      const std::set<Edge> before = both(
-        both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
-      const auto after = extract(soup, before,
-                                 RS::parameters::component_links(false).edge_is_constrained_map(
-                                   edge_map(mesh, constrained)));
-      EXPECT_TRUE(
-        std::includes(before.begin(), before.end(), after.features.begin(), after.features.end()));
-      EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));
-    }
+  for_each_random_mesh(all_families, 25, [&](const Soup& soup, unsigned seed) {
+    std::mt19937 random(seed);
+    const Surface_mesh mesh = to_surface_mesh(soup);
+    const std::set<Edge> constrained = seed % 2 ? random_edges(soup, 12, random) : std::set<Edge>();
+    const std::set<Edge> before = both(
+      both(borders(soup), random_edges(soup, 2 + seed % 3, random)), constrained);
+    const auto after = extract(
+      soup, before,
+      RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
+    EXPECT_TRUE(
+      std::includes(before.begin(), before.end(), after.features.begin(), after.features.end()));
+    EXPECT_EQ(regions(soup, before, constrained), regions(soup, after.features, constrained));
+  });
 }
 
 TEST(Extract_feature_lines_test, an_edge_of_three_faces_is_a_line)

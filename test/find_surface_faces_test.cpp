@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 // Faces of tessellated shapes that are made by formula, with their surfaces.
 
@@ -37,10 +37,8 @@ using shapes_with_faces::Point;
 
 RS::Surface surface_of(const Shape& shape)
 {
-  std::vector<std::array<double, 3>> points;
-  for (const Point& p : shape.points)
-    points.push_back({p.x, p.y, p.z});
-  return RS::make_surface_of_polygon_soup(points, shape.triangles);
+  const test::Soup soup = soup_of(shape);
+  return RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
 }
 
 /// Expects the faces of the shape, and returns their surfaces, in the order of the faces.
@@ -57,62 +55,79 @@ std::vector<RS::Fitted_surface<>> expect_faces(const Shape& shape)
   return result;
 }
 
+/// What is expected of a surface: 0 is any size or side.
+struct Expected
+{
+  Surface_kind kind;
+  double radius = 0, minor_radius = 0;
+  int side = 0;
+  double angle = 0;
+};
+const Expected plane{Surface_kind::PLANE}, freeform{Surface_kind::FREEFORM};
+
+Expected cylinder(double radius = 0, int side = 0)
+{
+  return {Surface_kind::CYLINDER, radius, 0, side};
+}
+
+Expected cone(double degrees)
+{
+  return {Surface_kind::CONE, 0, 0, 0, degrees * pi / 180};
+}
+
+/// Expects the faces of the shape, the first of them on such surfaces.
+void expect_surfaces(const Shape& shape, const std::vector<Expected>& expected)
+{
+  const std::vector<RS::Fitted_surface<>> found = expect_faces(shape);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    SCOPED_TRACE(testing::Message() << "face " << i);
+    const bool is_round = found[i].minor_radius == 0 && found[i].angle == 0;
+    const auto expect_size = [&](double size, double wanted) {
+      if (wanted > 0) {
+        EXPECT_NEAR(size, wanted, is_round ? 5e-8 * wanted : 1e-6);
+      }
+    };
+    EXPECT_EQ(found[i].kind, expected[i].kind);
+    expect_size(found[i].radius, expected[i].radius);
+    expect_size(found[i].minor_radius, expected[i].minor_radius);
+    expect_size(found[i].angle, expected[i].angle);
+    EXPECT_TRUE(expected[i].side == 0 || found[i].side == expected[i].side);
+  }
+}
+
 TEST(FindSurfaceFaces, Box)
 {
   for (const int n : {1, 4})
-    for (const RS::Fitted_surface<>& s : expect_faces(box(1, 2, 3, n)))
-      EXPECT_EQ(s.kind, Surface_kind::PLANE);
+    expect_surfaces(box(1, 2, 3, n), std::vector<Expected>(6, plane));
+  for (const double height : {1e-3, 2e-4}) // narrow triangles have normals, too
+    expect_surfaces(box(1, 2, height, 1), std::vector<Expected>(6, plane));
 }
 
 TEST(FindSurfaceFaces, CylinderWithHole)
 {
   for (const int turns : {12, 40})
     for (const int rows : {1, 3}) {
-      const std::vector<RS::Fitted_surface<>> s = expect_faces(ring(2, 2, 1, 3, turns, rows));
-      EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
-      EXPECT_NEAR(s[0].radius, 2, 1e-8);
-      EXPECT_EQ(s[0].side, 1);
-      EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
-      EXPECT_NEAR(s[1].radius, 1, 1e-8);
-      EXPECT_EQ(s[1].side, -1);
-      EXPECT_NEAR(std::fabs(s[1].direction.z), 1, 1e-12);
-      EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
+      const Shape shape = ring(2, 2, 1, 3, turns, rows);
+      expect_surfaces(shape, {cylinder(2, 1), cylinder(1, -1), plane, plane});
+      EXPECT_NEAR(std::fabs(expect_faces(shape)[1].direction.z), 1, 1e-12);
     }
 }
 
 TEST(FindSurfaceFaces, SphereAndTorus)
 {
-  const std::vector<RS::Fitted_surface<>> s = expect_faces(dome(2, 24, 7));
-  EXPECT_EQ(s[0].kind, Surface_kind::SPHERE);
-  EXPECT_NEAR(s[0].radius, 2, 1e-7);
-  EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
-  const std::vector<RS::Fitted_surface<>> t = expect_faces(torus(3, 1, 40, 16));
-  EXPECT_EQ(t[0].kind, Surface_kind::TORUS);
-  EXPECT_NEAR(t[0].radius, 3, 1e-6);
-  EXPECT_NEAR(t[0].minor_radius, 1, 1e-6);
+  expect_surfaces(dome(2, 24, 7), {{Surface_kind::SPHERE, 2}, plane});
+  expect_surfaces(torus(3, 1, 40, 16), {{Surface_kind::TORUS, 3, 1}});
 }
 
-// Planes and fillets meet smoothly: their surfaces tell them apart.
+// Planes and fillets meet smoothly, also those of large radius: their surfaces tell them apart.
 TEST(FindSurfaceFaces, Fillets)
 {
   for (const int facets : {3, 6})
-    for (const int rows : {1, 5}) {
-      const std::vector<RS::Fitted_surface<>> s = expect_faces(filleted_bar(3, 1, 5, facets, rows));
-      for (int k = 0; k < 4; ++k) {
-        EXPECT_EQ(s[2 * k].kind, Surface_kind::PLANE);
-        EXPECT_EQ(s[2 * k + 1].kind, Surface_kind::CYLINDER);
-        EXPECT_NEAR(s[2 * k + 1].radius, 1, 1e-8);
-      }
-    }
-}
-
-// A plane that is tangent to a cylinder of large radius.
-TEST(FindSurfaceFaces, LargeRadius)
-{
-  const std::vector<RS::Fitted_surface<>> s = expect_faces(filleted_bar(1, 20, 5, 30, 8));
-  EXPECT_EQ(s[0].kind, Surface_kind::PLANE);
-  EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
-  EXPECT_NEAR(s[1].radius, 20, 1e-6);
+    for (const int rows : {1, 5})
+      expect_surfaces(filleted_bar(3, 1, 5, facets, rows),
+                      {plane, cylinder(1), plane, cylinder(1), plane, cylinder(1), plane,
+                       cylinder(1), plane, plane});
+  expect_surfaces(filleted_bar(1, 20, 5, 30, 8), {plane, cylinder(20)});
 }
 
 // A shaft with a flat, whose vertices lie on the cylinder: it deviates more than its facets do.
@@ -134,18 +149,7 @@ TEST(FindSurfaceFaces, ShaftWithFlat)
   });
   cap(shape, 0, false);
   cap(shape, 3, true);
-  const std::vector<RS::Fitted_surface<>> s = expect_faces(shape);
-  EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
-  EXPECT_NEAR(s[0].radius, 2, 1e-8);
-  EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
-}
-
-// The triangles of narrow strips have normals, though their height is small.
-TEST(FindSurfaceFaces, NarrowStrips)
-{
-  for (const double height : {1e-3, 2e-4})
-    for (const RS::Fitted_surface<>& s : expect_faces(box(1, 2, height, 1)))
-      EXPECT_EQ(s.kind, Surface_kind::PLANE);
+  expect_surfaces(shape, {cylinder(2), plane, plane, plane});
 }
 
 /// A solid between two planes: `radius(turns, z)` is that of its wall, of rows by the angle
@@ -174,10 +178,7 @@ TEST(FindSurfaceFaces, FreeformWalls)
   for (const Shape& shape : {with_wall(40, 1, cam), with_wall(64, 1, cam), with_wall(32, 6, both),
                              with_wall(64, 24, both)}) {
     SCOPED_TRACE(shape.triangles.size());
-    const std::vector<RS::Fitted_surface<>> s = expect_faces(shape);
-    EXPECT_EQ(s[0].kind, Surface_kind::FREEFORM);
-    EXPECT_EQ(s[1].kind, Surface_kind::PLANE);
-    EXPECT_EQ(s[2].kind, Surface_kind::PLANE);
+    expect_surfaces(shape, {freeform, plane, plane});
   }
 }
 
@@ -365,10 +366,10 @@ TEST(FindSurfaceFaces, Frusta)
       for (const double degrees : {8.0, 45.0, 78.0}) {
         SCOPED_TRACE(testing::Message() << rows << ' ' << turns << ' ' << degrees);
         const double height = 1 / std::tan(degrees * pi / 180);
-        const std::vector<RS::Fitted_surface<>> s = expect_faces(revolved_faces(
-          {line(0, 0, 2, 0), line(2, 0, 1, height, rows), line(1, height, 0, height)}, turns));
-        EXPECT_EQ(s[1].kind, Surface_kind::CONE);
-        EXPECT_NEAR(s[1].angle, degrees * pi / 180, 1e-6);
+        expect_surfaces(
+          revolved_faces(
+            {line(0, 0, 2, 0), line(2, 0, 1, height, rows), line(1, height, 0, height)}, turns),
+          {plane, cone(degrees), plane});
       }
 }
 
@@ -380,14 +381,11 @@ TEST(FindSurfaceFaces, Chamfers)
       for (const double width : {0.02, 0.5}) {
         SCOPED_TRACE(testing::Message() << turns << ' ' << degrees << ' ' << width);
         const double height = width / std::tan(degrees * pi / 180);
-        const std::vector<RS::Fitted_surface<>> s = expect_faces(
+        expect_surfaces(
           revolved_faces({line(0, 0, 3, 0), line(3, 0, 3, 5), line(3, 5, 3 - width, 5 + height),
                           line(3 - width, 5 + height, 0, 5 + height)},
-                         turns));
-        EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
-        EXPECT_NEAR(s[1].radius, 3, 1e-7);
-        EXPECT_EQ(s[2].kind, Surface_kind::CONE);
-        EXPECT_NEAR(s[2].angle, degrees * pi / 180, 1e-6);
+                         turns),
+          {plane, cylinder(3), cone(degrees), plane});
       }
 }
 
@@ -402,17 +400,11 @@ TEST(FindSurfaceFaces, FilletsOfBosses)
         const double angle = pi / 2 * i / steps;
         fillet.push_back({1.8 - 0.3 * std::sin(angle), 1.3 - 0.3 * std::cos(angle)});
       }
-      const std::vector<RS::Fitted_surface<>> s = expect_faces(
+      expect_surfaces(
         revolved_faces({line(0, 0, 3, 0), line(3, 0, 3, 1), line(3, 1, 1.8, 1), fillet,
                         line(1.5, 1.3, 1.5, 4), line(1.5, 4, 0, 4)},
-                       turns));
-      EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
-      EXPECT_EQ(s[3].kind, Surface_kind::TORUS);
-      EXPECT_NEAR(s[3].radius, 1.8, 1e-6);
-      EXPECT_NEAR(s[3].minor_radius, 0.3, 1e-6);
-      EXPECT_EQ(s[3].side, -1);
-      EXPECT_EQ(s[4].kind, Surface_kind::CYLINDER);
-      EXPECT_NEAR(s[4].radius, 1.5, 1e-7);
+                       turns),
+        {plane, cylinder(3), plane, {Surface_kind::TORUS, 1.8, 0.3, -1}, cylinder(1.5), plane});
     }
 }
 
@@ -485,19 +477,11 @@ TEST(FindSurfaceFaces, SliversHaveNoVote)
 // Nothing grows across an edge of three faces: a box with a wall inside is eleven squares.
 TEST(FindSurfaceFaces, EdgesOfThreeFaces)
 {
-  std::vector<std::array<double, 3>> points;
-  for (const double x : {0.0, 1.0, 2.0})
-    for (const double y : {0.0, 1.0})
-      for (const double z : {0.0, 1.0})
-        points.push_back({x, y, z});
-  std::vector<std::vector<std::size_t>> squares = {{0, 1, 3, 2}, {4, 5, 7, 6}, {8, 10, 11, 9}};
-  for (const std::size_t i : {0, 4})
-    for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0)})
-      squares.push_back(
-        {i + std::size_t(a), i + 4 + std::size_t(a), i + 4 + std::size_t(b), i + std::size_t(b)});
+  test::Soup two = test::joined(test::cube(), test::translated(test::cube(), 1, 0, 0));
+  two.polygons.erase(two.polygons.begin() + 6); // the wall is there once
   const RS::Surface_faces found = RS::find_surface_faces(
-    RS::make_surface_of_polygon_soup(points, squares));
-  EXPECT_EQ(found.surfaces.size(), squares.size());
+    RS::make_surface_of_polygon_soup(two.points, two.polygons));
+  EXPECT_EQ(found.surfaces.size(), two.polygons.size());
   for (const RS::Fitted_surface<>& s : found.surfaces)
     EXPECT_EQ(s.kind, Surface_kind::PLANE);
 }
@@ -516,8 +500,7 @@ TEST(FindSurfaceFaces, FewDecimals)
         p = Point{std::round(p.x * unit) / unit, std::round(p.y * unit) / unit,
                   std::round(p.z * unit) / unit};
       }
-      for (const RS::Fitted_surface<>& plane : expect_faces(shape))
-        EXPECT_EQ(plane.kind, Surface_kind::PLANE);
+      expect_surfaces(shape, std::vector<Expected>(6, plane));
     }
 }
 
@@ -597,12 +580,7 @@ template <typename Mesh>
 void expect_part_faces(double scale)
 {
   const Shape shape = ring(2, 2, 1, 3, 24, 2);
-  test::Soup soup;
-  for (const Point& p : shape.points)
-    soup.points.push_back({scale * p.x, scale * p.y, scale * p.z});
-  for (const auto& t : shape.triangles)
-    soup.polygons.push_back({t.begin(), t.end()});
-  const Mesh mesh = test::to_mesh<Mesh>(soup);
+  const Mesh mesh = test::to_mesh<Mesh>(test::scaled(soup_of(shape), scale));
   using Kernel = typename CGAL::Kernel_traits<
     typename boost::property_map_value<Mesh, CGAL::vertex_point_t>::type>::Kernel;
   std::vector<RS::Part_face<Kernel>> faces;

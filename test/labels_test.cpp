@@ -26,12 +26,7 @@ std::vector<Label> read(const std::string& text)
 template <typename Label = long long>
 std::string refusal(const std::string& text)
 {
-  try {
-    read<Label>(text);
-  } catch (const RS::Invalid_input& e) {
-    return e.what();
-  }
-  return "taken";
+  return message_of([&] { read<Label>(text); });
 }
 
 TEST(Labels_test, are_one_a_line)

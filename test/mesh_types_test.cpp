@@ -96,14 +96,6 @@ bool takes(const Soup& soup)
   return !soup.polygons.empty();
 }
 
-void expect_same(const Result& a, const Result& b)
-{
-  EXPECT_EQ(a.number_of_segments, b.number_of_segments);
-  EXPECT_EQ(a.regions, b.regions);
-  EXPECT_EQ(a.segments, b.segments);
-  EXPECT_EQ(a.features, b.features);
-}
-
 /// The stages one by one.
 template <typename Mesh>
 Result run_stages(const Mesh& mesh, const Options& options)
@@ -165,22 +157,17 @@ void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
   expect_default_as_surface_mesh(mesh, options);
 }
 
-/// A segmenter gives what segment() gives, for each method and number.
+/// A segmenter gives what segment() gives.
 template <typename Mesh>
 void expect_as_segmenter(const Mesh& mesh, const Options& options)
 {
-  const RS::Segmenter by_default(mesh);
-  const RS::Segmenter two_step(mesh, RS::parameters::method(options.method()));
-  for (std::size_t k : {options.k, std::size_t(2), std::size_t(9)}) {
-    auto map = face_map(mesh);
-    by_default.segment(map, k);
-    EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::number_of_segments(k)));
-    two_step.segment(map, k);
-    EXPECT_EQ(labels_of(mesh, map),
-              segments_of(mesh, RS::parameters::number_of_segments(k).method(options.method())));
-  }
+  const auto two_step = RS::parameters::method(options.method());
   auto map = face_map(mesh);
-  by_default.segment(map);
+  RS::Segmenter(mesh).segment(map, 9);
+  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::number_of_segments(9)));
+  RS::Segmenter(mesh, two_step).segment(map, 9);
+  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, two_step.number_of_segments(9)));
+  RS::Segmenter(mesh).segment(map);
   EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::default_values()));
 }
 
@@ -202,24 +189,21 @@ TYPED_TEST_SUITE(Mesh_types_test, Mesh_types);
 TYPED_TEST(Mesh_types_test, gives_the_same_labels)
 {
   std::size_t meshes = 0;
-  for (Family family : all_families)
-    for (unsigned seed = 0; seed < 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      if (!takes<TypeParam>(soup))
-        continue;
-      ++meshes;
-      std::mt19937 random(seed);
-      Options options = random_options(random);
-      options.k = 4;
-      const TypeParam mesh = make<TypeParam>(soup);
-      expect_as_surface_mesh(mesh, options);
-      expect_same(run_stages(mesh, options), run(mesh, options));
-      // The types keep the order in which they were made, so these are the labels of the soup.
-      expect_same(run(mesh, options), run(soup, options));
-      if (seed == 0)
-        expect_as_segmenter(mesh, options);
-    }
+  for_each_random_mesh(all_families, 4, [&](const Soup& soup, unsigned seed) {
+    if (!takes<TypeParam>(soup))
+      return;
+    ++meshes;
+    std::mt19937 random(seed);
+    Options options = random_options(random);
+    options.k = 4;
+    const TypeParam mesh = make<TypeParam>(soup);
+    expect_as_surface_mesh(mesh, options);
+    expect_same(run_stages(mesh, options), run(mesh, options));
+    // The types keep the order in which they were made, so these are the labels of the soup.
+    expect_same(run(mesh, options), run(soup, options));
+    if (seed == 0)
+      expect_as_segmenter(mesh, options);
+  });
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
 }
 
@@ -341,29 +325,24 @@ TEST(Const_mesh_test, keeps_its_ids)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
   auto mesh = make<Polyhedron>(box_on_plate());
-  const auto labels_of = [&](const Polyhedron& given) {
-    std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> labels;
-    RS::segment(given, boost::make_assoc_property_map(labels),
-                RS::parameters::number_of_segments(2).method(RS::Two_step()));
-    std::vector<std::size_t> result;
-    for (auto f : faces(given))
-      result.push_back(labels[f]);
-    return result;
+  const auto np = RS::parameters::number_of_segments(2).method(RS::Two_step());
+  const Labels labels = segments_of(mesh, np);
+  const auto set_ids = [](auto range) {
+    for (auto element : range)
+      element->id() = 7;
   };
-  const std::vector<std::size_t> labels = labels_of(mesh);
-  for (auto f : faces(mesh))
-    f->id() = 7;
-  for (auto v : vertices(mesh))
-    v->id() = 7;
-  for (auto h : halfedges(mesh))
-    h->id() = 7;
-  EXPECT_EQ(labels_of(mesh), labels);
-  for (auto f : faces(mesh))
-    EXPECT_EQ(f->id(), 7u);
-  for (auto v : vertices(mesh))
-    EXPECT_EQ(v->id(), 7u);
-  for (auto h : halfedges(mesh))
-    EXPECT_EQ(h->id(), 7u);
+  set_ids(faces(mesh));
+  set_ids(vertices(mesh));
+  set_ids(halfedges(mesh));
+  const Polyhedron& given = mesh;
+  EXPECT_EQ(segments_of(given, np), labels);
+  const auto expect_ids = [](auto range) {
+    for (auto element : range)
+      EXPECT_EQ(element->id(), 7u);
+  };
+  expect_ids(faces(mesh));
+  expect_ids(vertices(mesh));
+  expect_ids(halfedges(mesh));
 }
 
 TEST(Face_filtered_graph_test, gives_the_labels_of_its_part)

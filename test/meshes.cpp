@@ -2,6 +2,8 @@
 
 #include "meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -148,9 +150,31 @@ std::vector<Voxel> voxel_block(const Voxel& from, const Voxel& to)
   return voxels;
 }
 
+Soup block(int nx, int ny, int nz)
+{
+  return voxel_surface(voxel_block({0, 0, 0}, {nx, ny, nz}));
+}
+
 Soup cube()
 {
-  return voxel_surface({{0, 0, 0}});
+  return block(1, 1, 1);
+}
+
+Soup box_of_sheets(std::size_t n)
+{
+  std::vector<Soup> sides;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double place : {0., 1.}) {
+      const Soup side = mapped(triangulated(grid(n, n)), [=](const Point& p) {
+        Point q;
+        q[axis] = place;
+        q[(axis + 1) % 3] = p[0] / double(n);
+        q[(axis + 2) % 3] = p[1] / double(n);
+        return q;
+      });
+      sides.push_back(place == 0 ? reversed(side) : side);
+    }
+  return joined(sides);
 }
 
 Soup l_shape()
@@ -211,15 +235,15 @@ Soup sphere(std::size_t levels)
   return soup;
 }
 
-Soup torus(std::size_t around, std::size_t across)
+Soup torus(std::size_t around, std::size_t across, double tube)
 {
   Soup soup;
   const double turn = 2 * std::acos(-1.0);
   for (std::size_t i = 0; i < around; ++i)
     for (std::size_t j = 0; j < across; ++j) {
       const double a = turn * double(i) / double(around), b = turn * double(j) / double(across);
-      soup.points.push_back(
-        {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)});
+      const double r = 2 + tube * std::cos(b);
+      soup.points.push_back({r * std::cos(a), r * std::sin(a), tube * std::sin(b)});
       const std::size_t i1 = (i + 1) % around, j1 = (j + 1) % across;
       soup.polygons.push_back({i * across + j, i1 * across + j, i1 * across + j1, i * across + j1});
     }
@@ -287,6 +311,34 @@ Soup joined(const Soup& a, const Soup& b)
   return result;
 }
 
+Soup joined(const std::vector<Soup>& soups)
+{
+  Soup result;
+  for (const Soup& soup : soups)
+    result = joined(result, soup);
+  return result;
+}
+
+Soup torn(const Soup& soup)
+{
+  Soup result;
+  for (const Polygon& polygon : soup.polygons) {
+    result.polygons.emplace_back();
+    for (std::size_t v : polygon) {
+      result.polygons.back().push_back(result.points.size());
+      result.points.push_back(soup.points[v]);
+    }
+  }
+  return result;
+}
+
+void flip_some(Soup& soup, unsigned one_of, std::mt19937& random)
+{
+  for (Polygon& polygon : soup.polygons)
+    if (random() % one_of == 0)
+      std::reverse(polygon.begin(), polygon.end());
+}
+
 void shuffle_faces(Soup& soup, std::mt19937& random)
 {
   for (std::size_t i = soup.polygons.size(); i > 1; --i)
@@ -340,68 +392,15 @@ void flatten_some(Soup& soup, std::size_t count, std::mt19937& random)
 
 bool is_manifold(const Soup& soup)
 {
-  std::set<Edge> halfedges;
-  for (const Polygon& p : soup.polygons)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (!halfedges.insert({p[i], p[(i + 1) % p.size()]}).second)
-        return false;
-  // Around a vertex, every corner names the vertex before and after; they form one chain or ring.
-  std::vector<std::map<std::size_t, std::size_t>> next_around(soup.points.size());
-  for (const Polygon& p : soup.polygons)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      next_around[p[i]][p[(i + 1) % p.size()]] = p[(i + p.size() - 1) % p.size()];
-  for (const auto& next : next_around) {
-    std::set<std::size_t> targets;
-    for (const auto& entry : next)
-      targets.insert(entry.second);
-    std::size_t starts = 0;
-    for (const auto& entry : next)
-      starts += !targets.count(entry.first);
-    if (next.empty() || starts > 1)
-      return false;
-    auto place = next.begin();
-    for (auto it = next.begin(); starts == 1 && it != next.end(); ++it)
-      if (!targets.count(it->first))
-        place = it;
-    std::size_t length = 0;
-    for (; place != next.end() && length < next.size(); ++length)
-      place = next.find(place->second);
-    if (length != next.size())
-      return false;
-    if (starts == 0) { // a ring: the walk may have gone round a shorter one several times
-      std::set<std::size_t> seen;
-      for (auto it = next.begin(); seen.insert(it->first).second;)
-        it = next.find(it->second);
-      if (seen.size() != next.size())
-        return false;
-    }
-  }
-  return true;
+  return CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
 }
 
 std::string name(Family family)
 {
-  switch (family) {
-  case Family::SHEET:
-    return "sheet";
-  case Family::QUAD_SHEET:
-    return "quad sheet";
-  case Family::POLYGON_SHEET:
-    return "polygon sheet";
-  case Family::SPHERE:
-    return "sphere";
-  case Family::TORUS:
-    return "torus";
-  case Family::BLOCKS:
-    return "blocks";
-  case Family::TWO_COMPONENTS:
-    return "two components";
-  case Family::DEGENERATE_SHEET:
-    return "degenerate sheet";
-  case Family::DEGENERATE_TORUS:
-    return "degenerate torus";
-  }
-  return {};
+  constexpr const char* names[] = {
+    "sheet",  "quad sheet",     "polygon sheet",    "sphere",          "torus",
+    "blocks", "two components", "degenerate sheet", "degenerate torus"};
+  return names[int(family)];
 }
 
 bool has_degenerate_faces(Family family)

@@ -78,8 +78,15 @@ Soup pillow();
 /// A subdivided octahedron, its points on the unit sphere; 8 * 4^levels faces.
 Soup sphere(std::size_t levels);
 
-/// Quads around a torus of radii 2 and 1.
-Soup torus(std::size_t around, std::size_t across);
+/// Quads around a torus of radii 2 and `tube`.
+Soup torus(std::size_t around, std::size_t across, double tube = 1);
+
+/// The surface of a box of unit cubes, in unit squares.
+Soup block(int nx, int ny, int nz);
+
+/// The unit cube in 12 n^2 triangles; its sides have points of their own, which in a polygon soup
+/// are merged.
+Soup box_of_sheets(std::size_t n);
 
 /// A flat cap (0 1 2), vertex 2 in the middle of 0 1, between one large and two small triangles.
 ///        3
@@ -107,6 +114,11 @@ Soup scaled(const Soup& soup, double factor);
 Soup translated(const Soup& soup, double x, double y, double z);
 /// One mesh of two parts that do not touch.
 Soup joined(const Soup& a, const Soup& b);
+Soup joined(const std::vector<Soup>& soups);
+/// Each polygon has points of its own, as in a file of STL.
+Soup torn(const Soup& soup);
+/// Reverses one polygon of so many, at random.
+void flip_some(Soup& soup, unsigned one_of, std::mt19937& random);
 void shuffle_faces(Soup& soup, std::mt19937& random);
 /// `new_of_old` receives the new number of each old vertex.
 void shuffle_vertices(Soup& soup, std::mt19937& random, std::vector<std::size_t>& new_of_old);

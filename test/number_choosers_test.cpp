@@ -35,18 +35,14 @@ std::size_t chosen_number(const Soup& soup)
   return RS::Segmenter(mesh, RS::parameters::method(Method())).number_of_segments();
 }
 
-Soup block(int nx, int ny, int nz)
-{
-  return triangulated(voxel_surface(voxel_block({0, 0, 0}, {nx, ny, nz})));
-}
-
 TYPED_TEST(Number_choosers_test, convex_bodies_are_one_part)
 {
   const auto number = [](const Soup& soup) { return chosen_number<TypeParam>(soup); };
-  EXPECT_EQ(number(block(1, 1, 1)), 1u);
-  EXPECT_EQ(number(block(8, 8, 8)), 1u);
-  EXPECT_EQ(number(block(3, 3, 20)), 1u);
-  EXPECT_EQ(number(joined(block(2, 2, 2), translated(sphere(2), 9, 0, 0))), 2u) << "components";
+  EXPECT_EQ(number(triangulated(block(1, 1, 1))), 1u);
+  EXPECT_EQ(number(triangulated(block(8, 8, 8))), 1u);
+  EXPECT_EQ(number(triangulated(block(3, 3, 20))), 1u);
+  EXPECT_EQ(number(joined(triangulated(block(2, 2, 2)), translated(sphere(2), 9, 0, 0))), 2u)
+    << "components";
   EXPECT_EQ(number(pillow()), 1u) << "closed, flat";
   for (std::size_t levels : {2, 4}) {
     EXPECT_EQ(number(sphere(levels)), 1u);
@@ -76,9 +72,7 @@ TYPED_TEST(Number_choosers_test, other_bodies_are_divided)
 
 TYPED_TEST(Number_choosers_test, constants)
 {
-  std::mt19937 random(3);
-  Soup soup = triangulated(random_mesh(Family::BLOCKS, 4));
-  const Surface_mesh mesh = to_surface_mesh(soup);
+  const Surface_mesh mesh = to_surface_mesh(triangulated(random_mesh(Family::BLOCKS, 4)));
   const RS::Segmenter segmenter(mesh, RS::parameters::method(TypeParam()));
   const RS::Merge_tree& tree = segmenter.merge_tree();
   auto chooser = segmenter.method().chooser;
@@ -103,57 +97,37 @@ TYPED_TEST(Number_choosers_test, constants)
 
 TYPED_TEST(Number_choosers_test, a_drawn_loop_adds_a_segment)
 {
+  const auto number_with = [](const Surface_mesh& mesh, const std::set<Edge>& drawn, bool links) {
+    const auto labels = face_map(mesh);
+    const std::size_t n = RS::segment(mesh, labels,
+                                      RS::parameters::method(TypeParam())
+                                        .component_links(links)
+                                        .edge_is_constrained_map(edge_map(mesh, drawn)));
+    const Labels found = labels_of(mesh, labels);
+    for (const auto& [edge, both] : faces_of_edges(soup_of(mesh)))
+      EXPECT_TRUE(drawn.count(edge) == 0 || found[both[0]] != found[both[1]]);
+    return n;
+  };
   // Around the middle of the bar, where no border of the chosen segments is.
-  const Surface_mesh mesh = to_surface_mesh(triangulated(dumbbell()));
-  const RS::Segmenter without(mesh, RS::parameters::method(TypeParam()));
-  const auto on_loop = [&](auto v) { return mesh.point(v).x() == 4; };
-  auto drawn = edge_map(mesh);
-  std::size_t edges_of_loop = 0;
-  for (auto e : edges(mesh)) {
-    const bool is_drawn = on_loop(source(e, mesh)) && on_loop(target(e, mesh));
-    put(drawn, e, is_drawn);
-    edges_of_loop += is_drawn;
-  }
-  ASSERT_EQ(edges_of_loop, 4u);
-  const RS::Segmenter with(mesh,
-                           RS::parameters::method(TypeParam()).edge_is_constrained_map(drawn));
-  auto map = face_map(mesh);
-  const std::size_t n = with.segment(map);
-  EXPECT_EQ(n, with.number_of_segments()) << "what is announced is what comes";
-  EXPECT_GE(n, without.number_of_segments());
-  for (auto e : edges(mesh))
-    if (get(drawn, e)) {
-      EXPECT_NE(get(map, mesh.face(halfedge(e, mesh))),
-                get(map, mesh.face(opposite(halfedge(e, mesh), mesh))));
-    }
+  const Surface_mesh bar = to_surface_mesh(triangulated(dumbbell()));
+  const auto loop = edges_where(bar, [](const Kernel::Point_3& p) { return p.x() == 4; });
+  ASSERT_EQ(loop.size(), 4u);
+  const RS::Segmenter without(bar, RS::parameters::method(TypeParam())),
+    with(bar, RS::parameters::method(TypeParam()).edge_is_constrained_map(edge_map(bar, loop)));
+  EXPECT_EQ(number_with(bar, loop, true), with.number_of_segments())
+    << "what is announced is what comes";
+  EXPECT_GE(with.number_of_segments(), without.number_of_segments());
 
-  // On a convex body, exactly one more.
-  const Surface_mesh ball = to_surface_mesh(sphere(4));
-  auto equator = edge_map(ball);
-  for (auto e : edges(ball))
-    put(equator, e,
-        std::abs(ball.point(source(e, ball)).z()) < 1e-9 &&
-          std::abs(ball.point(target(e, ball)).z()) < 1e-9);
-  auto halves = face_map(ball);
-  EXPECT_EQ(RS::segment(ball, halves, RS::parameters::method(TypeParam())), 1u);
-  EXPECT_EQ(
-    RS::segment(ball, halves, RS::parameters::method(TypeParam()).edge_is_constrained_map(equator)),
-    2u);
-
-  // Of two, also if they are linked.
-  const Surface_mesh two = to_surface_mesh(joined(sphere(4), translated(sphere(4), 5, 0, 0)));
-  auto first = edge_map(two);
-  for (auto e : edges(two))
-    put(first, e,
-        std::abs(two.point(source(e, two)).z()) < 1e-9 &&
-          std::abs(two.point(target(e, two)).z()) < 1e-9 && two.point(source(e, two)).x() < 2);
+  // On a convex body, exactly one more; of two, also if they are linked.
+  const auto equator_of_first = [](const Kernel::Point_3& p) {
+    return std::abs(p.z()) < 1e-9 && p.x() < 2;
+  };
+  const Surface_mesh ball = to_surface_mesh(sphere(4)),
+                     two = to_surface_mesh(joined(sphere(4), translated(sphere(4), 5, 0, 0)));
   for (const bool links : {false, true}) {
-    auto parts = face_map(two);
-    EXPECT_EQ(
-      RS::segment(
-        two, parts,
-        RS::parameters::method(TypeParam()).edge_is_constrained_map(first).component_links(links)),
-      3u);
+    EXPECT_EQ(number_with(ball, {}, links), 1u);
+    EXPECT_EQ(number_with(ball, edges_where(ball, equator_of_first), links), 2u);
+    EXPECT_EQ(number_with(two, edges_where(two, equator_of_first), links), 3u);
   }
 }
 
@@ -203,10 +177,7 @@ TEST(Is_convex_test, a_thousandth_of_the_deviation_may_be_concave)
 TEST(Number_chooser_of_Segmenter, is_asked_once_for_each_draw_and_change)
 {
   const Surface_mesh mesh = to_surface_mesh(sphere(2)); // which has one draw
-  auto map = face_map(mesh);
-  auto seeds = face_map(mesh);
-  for (auto f : faces(mesh))
-    put(seeds, f, std::size_t(-1));
+  auto map = face_map(mesh), seeds = face_map(mesh, std::size_t(-1));
   const Counting_chooser chooser;
   const RS::Visibility_merging visibility;
   const RS::Superfacet_merging method{visibility.annotator, visibility.policy, chooser};

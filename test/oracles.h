@@ -11,6 +11,7 @@
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/exceptions.h>
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -18,10 +19,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace test {
@@ -53,6 +57,44 @@ std::size_t number_of_proper_faces(const Soup& soup);
 std::size_t count(const Edge_flags& flags);
 /// Some edges, borders among them.
 std::set<Edge> random_edges(const Soup& soup, std::size_t one_of, std::mt19937& random);
+
+// Repeated checks
+
+/// Calls `check(soup, seed)` for random meshes of each family.
+template <typename Families, typename Check>
+void for_each_random_mesh(const Families& families, unsigned number_of_seeds, const Check& check)
+{
+  for (Family family : families)
+    for (unsigned seed = 1; seed <= number_of_seeds; ++seed) {
+      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
+      check(random_mesh(family, seed), seed);
+    }
+}
+
+/// The name of a family in that of a parameterized test.
+inline std::string family_in_name(Family family)
+{
+  std::string result = name(family);
+  std::replace(result.begin(), result.end(), ' ', '_');
+  return result;
+}
+
+/// The message of the error that `call()` throws, or "taken".
+template <typename Error = CGAL::Region_segmentation::Invalid_input, typename Call>
+std::string message_of(const Call& call)
+{
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+inline bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
 
 // Ranks
 
@@ -126,6 +168,16 @@ Edge_flags flags_of(const Mesh& mesh, const Map& map)
   return flags;
 }
 
+template <typename Mesh, typename Map>
+std::set<Edge> marked_edges(const Mesh& mesh, const Map& map)
+{
+  std::set<Edge> result;
+  for (const auto& [edge, is_marked] : flags_of(mesh, map))
+    if (is_marked)
+      result.insert(edge);
+  return result;
+}
+
 /// A map of the mesh's own with the given value for every edge.
 template <typename Mesh>
 auto edge_map(const Mesh& mesh, std::uint8_t value = 0)
@@ -146,12 +198,36 @@ auto edge_map(const Mesh& mesh, const std::set<Edge>& marked)
   return map;
 }
 
+/// The edges of which both ends satisfy a predicate of points.
+template <typename Mesh, typename Predicate>
+std::set<Edge> edges_where(const Mesh& mesh, const Predicate& is_on)
+{
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  const Ranks<Mesh> rank(mesh);
+  std::set<Edge> result;
+  for (auto e : edges(mesh))
+    if (is_on(get(point_map, source(e, mesh))) && is_on(get(point_map, target(e, mesh))))
+      result.insert(rank(e));
+  return result;
+}
+
 template <typename Mesh>
 auto face_map(const Mesh& mesh, std::size_t value = 12345)
 {
   auto map = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
   for (auto f : faces(mesh))
     put(map, f, value);
+  return map;
+}
+
+/// Labels in the order of the faces as a property map.
+template <typename Mesh>
+auto face_labels(const Mesh& mesh, const Labels& labels)
+{
+  auto map = face_map(mesh);
+  std::size_t i = 0;
+  for (auto f : faces(mesh))
+    put(map, f, labels[i++]);
   return map;
 }
 
@@ -181,6 +257,14 @@ struct Result
   CGAL::Region_segmentation::Merge_tree tree;
   std::size_t number_of_segments = 0;
 };
+
+inline void expect_same(const Result& a, const Result& b)
+{
+  EXPECT_EQ(a.number_of_segments, b.number_of_segments);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.segments, b.segments);
+  EXPECT_EQ(a.features, b.features);
+}
 
 template <typename Mesh, typename Parameters>
 Result run(const Mesh& mesh, const Parameters& np)

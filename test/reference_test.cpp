@@ -176,6 +176,21 @@ TEST_P(Reference_test, gives_the_same_segments_with_other_parameters)
   EXPECT_LE(ties, has_degenerate_faces(GetParam()) ? seeds_per_family / 8 : 0);
 }
 
+/// Areas that are small compared with the coordinates: the longest edge tells whether a face is
+/// degenerate.
+TEST_P(Reference_test, gives_the_same_features_and_regions_far_from_the_origin)
+{
+  for (double distance : {1e5, 1e7, 1e9})
+    for (const Options& options : {Options(1, reference::Convexity::concave, 5), Options(1)}) {
+      SCOPED_TRACE(distance);
+      const Soup soup = translated(random_mesh(GetParam(), 1), distance, 0, -distance);
+      const auto expected = reference::two_step(soup.points, soup.polygons, options);
+      const Result result = run(soup, options);
+      EXPECT_EQ(result.regions, expected.region_id);
+      EXPECT_EQ(result.features, expected.is_feature);
+    }
+}
+
 // Shapes with many equal regions: the ties that are exact go to the lower id in both.
 TEST(Reference_ties_test, break_the_same_way_where_the_numbers_are_exact)
 {
@@ -261,14 +276,7 @@ TEST(Reference_ties_test, are_decided_by_rounding_at_most_with_all_weights)
   }
 }
 
-std::string parameter_name(const ::testing::TestParamInfo<Family>& info)
-{
-  std::string result = name(info.param);
-  std::replace(result.begin(), result.end(), ' ', '_');
-  return result;
-}
-
 INSTANTIATE_TEST_SUITE_P(families, Reference_test, ::testing::ValuesIn(all_families),
-                         parameter_name);
+                         [](const auto& info) { return family_in_name(info.param); });
 
 } // namespace reference_test

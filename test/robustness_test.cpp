@@ -1,41 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whatever the coordinates and the labels: nothing is read or written out of bounds, every result
-// is a segmentation, and errors leave what is promised. Also compiled with sanitizers.
+// Errors of maps leave what is promised, and nothing is done that grows with the size of a mesh in
+// vain. (properties_test.cpp: whatever the coordinates and the labels.) Also compiled with
+// sanitizers.
 
 #include "meshes.h"
 #include "oracles.h"
-#include "segments.h"
 #include "user_method.h"
 
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/Segments/compute_segment_topology.h>
-#include <CGAL/Region_segmentation/Segments/segment_borders.h>
-#include <CGAL/Region_segmentation/Segments/split_into_segments.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
-#ifdef TEST_EIGEN
-#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
-#endif
 
 #include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <exception>
 #include <functional>
-#include <iterator>
 #include <optional>
-#include <random>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace robustness_test {
@@ -43,121 +28,6 @@ namespace robustness_test {
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
 using namespace test;
-
-/// Any finite number, each bit pattern with the same probability; often one of a few that are hard.
-double any_finite(std::mt19937& random)
-{
-  constexpr double hard[] = {0.,      -0.,    1e-160, 1e154,     -1e308,
-                             1.7e308, 5e-324, 1.,     1 + 1e-15, -2.2e-308};
-  if (random() % 2)
-    return hard[random() % std::size(hard)];
-  while (true) {
-    const std::uint64_t bits = (std::uint64_t(random()) << 32) | random();
-    double value;
-    std::memcpy(&value, &bits, sizeof value);
-    if (std::isfinite(value))
-      return value;
-  }
-}
-
-/// A mesh of a family, some of whose coordinates, or all, are any numbers.
-Soup wild_mesh(Family family, unsigned seed)
-{
-  std::mt19937 random(seed);
-  Soup soup = random_mesh(family, seed);
-  const unsigned one_of = std::array<unsigned, 3>{1, 10, 100}[random() % 3];
-  for (Point& p : soup.points)
-    for (double& x : p)
-      if (random() % one_of == 0)
-        x = any_finite(random);
-  return soup;
-}
-
-struct Robustness_test : ::testing::TestWithParam<Family>
-{
-  template <typename F>
-  void for_each_wild_mesh(unsigned seeds, const F& f) const
-  {
-    for (unsigned seed = 0; seed < seeds; ++seed) {
-      SCOPED_TRACE(name(GetParam()) + ", seed " + std::to_string(seed));
-      f(wild_mesh(GetParam(), seed), seed);
-    }
-  }
-};
-
-TEST_P(Robustness_test, any_finite_coordinates_give_segments)
-{
-  for_each_wild_mesh(6, [](const Soup& soup, unsigned seed) {
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    const std::size_t k = 1 + seed;
-    const Options options(k, reference::Convexity::all, 20);
-    const auto expect_segments = [&](const auto& np) {
-      const Result result = run(mesh, np);
-      EXPECT_TRUE(is_numbered_by_first_face(result.segments, result.number_of_segments));
-      EXPECT_TRUE(is_connected(soup, result.segments));
-      EXPECT_TRUE(nests(result.regions, result.segments));
-    };
-    expect_segments(RP::number_of_segments(k).component_links(false));
-    expect_segments(RP::number_of_segments(k).method(options.method()).component_links(false));
-#ifdef TEST_EIGEN
-    expect_segments(RP::method(RS::Smooth_faces()).component_links(false));
-#endif
-    segments_of(mesh, RP::number_of_segments(k)); // with links
-    segments_of(mesh, RP::number_of_segments(k).method(options.method()));
-#ifdef TEST_EIGEN
-    segments_of(mesh, RP::method(RS::Smooth_faces()));
-#endif
-  });
-}
-
-TEST_P(Robustness_test, a_segmenter_takes_constraints_and_seeds_of_wild_meshes)
-{
-  for_each_wild_mesh(3, [](const Soup& soup, unsigned seed) {
-    std::mt19937 random(seed);
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    RS::Segmenter segmenter(mesh, RP::component_links(false));
-    const std::set<Edge> constrained = random_edges(soup, 10, random);
-    segmenter.add_constraints(edge_map(mesh, constrained));
-    auto seeds = face_map(mesh, std::size_t(-1));
-    for (std::size_t i = 0; i < 5; ++i)
-      put(seeds, Surface_mesh::Face_index(Surface_mesh::size_type(random() % num_faces(mesh))), i);
-    segmenter.set_seeds(seeds);
-    const auto segments = face_map(mesh);
-    const std::size_t n = segmenter.segment(segments, 3);
-    EXPECT_TRUE(is_numbered_by_first_face(labels_of(mesh, segments), n));
-    EXPECT_TRUE(is_connected(soup, labels_of(mesh, segments), constrained));
-    for (auto f : faces(mesh))
-      for (auto g : faces(mesh))
-        if (get(seeds, f) < get(seeds, g) && get(seeds, g) != std::size_t(-1)) {
-          ASSERT_NE(get(segments, f), get(segments, g)) << "of different seeds";
-        }
-  });
-}
-
-TEST_P(Robustness_test, what_comes_after_takes_any_labels_and_coordinates)
-{
-  for_each_wild_mesh(3, [](const Soup& soup, unsigned seed) {
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto labels = face_labels(mesh, random_labels(soup, 4, seed));
-    std::vector<RS::Segment_topology<std::size_t>> topology;
-    RS::compute_segment_topology(mesh, labels, std::back_inserter(topology));
-    std::vector<RS::Segment_border<Surface_mesh, std::size_t>> borders;
-    RS::extract_segment_borders(mesh, labels, std::back_inserter(borders));
-    const auto is_border = edge_map(mesh);
-    RS::mark_segment_borders(mesh, labels, is_border);
-    std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
-    RS::split_into_segments(mesh, labels, std::back_inserter(pieces),
-                            RS::parameters::edge_is_constrained_map(is_border));
-    EXPECT_EQ(pieces.size(), topology.size());
-  });
-}
-
-INSTANTIATE_TEST_SUITE_P(families, Robustness_test, ::testing::ValuesIn(all_families),
-                         [](const ::testing::TestParamInfo<Family>& info) {
-                           std::string result = name(info.param);
-                           std::replace(result.begin(), result.end(), ' ', '_');
-                           return result;
-                         });
 
 // A map whose put() throws
 

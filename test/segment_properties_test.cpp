@@ -11,7 +11,6 @@
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/segment.h>
@@ -23,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -106,20 +106,6 @@ TEST_P(Properties_test, labels_are_dense_ordered_and_connected)
   });
 }
 
-TEST_P(Two_step_properties_test, features_are_borders_of_regions)
-{
-  for_each_mesh(15, [](const Soup& soup, const Options& options, std::mt19937&) {
-    const Result result = run(soup, options);
-    for (const auto& [edge, faces] : faces_of_edges(soup)) {
-      if (faces.size() == 1) {
-        EXPECT_TRUE(result.features.at(edge));
-      } else if (result.features.at(edge)) {
-        EXPECT_NE(result.regions[faces[0]], result.regions[faces[1]]);
-      }
-    }
-  });
-}
-
 TEST_P(Properties_test, segmentations_of_one_tree_nest)
 {
   for_each_mesh(10, [](const Soup& soup, Options options, std::mt19937&) {
@@ -173,73 +159,54 @@ TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
 
 // The same from foreign property maps
 
+std::vector<std::size_t> random_order(std::size_t size, std::mt19937& random)
+{
+  std::vector<std::size_t> order(size);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), random);
+  return order;
+}
+
 TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
 {
   for_each_mesh(6, [](const Soup& soup, const Options& options, std::mt19937& random) {
     Surface_mesh mesh = to_surface_mesh(soup);
-    const Result expected = test::run(mesh, options);
+    const auto by_default = RP::number_of_segments(options.k);
+    const Result expected = test::run(mesh, options), learned = test::run(mesh, by_default);
     using Vertex = Surface_mesh::Vertex_index;
     using Face = Surface_mesh::Face_index;
 
     std::map<Vertex, Kernel::Point_3> stored;
-    for (auto v : vertices(mesh))
+    for (auto v : vertices(mesh)) {
       stored[v] = mesh.point(v);
+      mesh.point(v) = Kernel::Point_3(0, 0, 0); // which must not matter
+    }
+    const auto by_reference = boost::make_assoc_property_map(stored);
     const auto by_value = boost::make_function_property_map<Vertex>(
       [&stored](Vertex v) { return stored.at(v); });
-    // The points of the mesh itself must not matter then.
-    for (auto v : vertices(mesh))
-      mesh.point(v) = Kernel::Point_3(0, 0, 0);
-    const auto same = [&](const Result& result) {
-      EXPECT_EQ(result.regions, expected.regions);
-      EXPECT_EQ(result.segments, expected.segments);
-      EXPECT_EQ(result.features, expected.features);
-    };
-    same(test::run(mesh, options, [&](const auto& np) {
-      return np.vertex_point_map(boost::make_assoc_property_map(stored));
-    }));
-    same(test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }));
-
-    std::map<Face, std::size_t> face_index;
-    std::map<Vertex, std::size_t> vertex_index;
-    std::vector<std::size_t> numbers(mesh.number_of_vertices() + mesh.number_of_faces());
-    const auto shuffle = [&](std::size_t n) {
-      numbers.resize(n);
-      for (std::size_t i = 0; i < n; ++i)
-        numbers[i] = i;
-      std::shuffle(numbers.begin(), numbers.end(), random);
-    };
-    shuffle(mesh.number_of_faces());
-    for (auto f : faces(mesh))
-      face_index[f] = numbers[face_index.size()];
-    shuffle(mesh.number_of_vertices());
-    for (auto v : vertices(mesh))
-      vertex_index[v] = numbers[vertex_index.size()];
+    const auto face_numbers = random_order(mesh.number_of_faces(), random),
+               vertex_numbers = random_order(mesh.number_of_vertices(), random);
+    const auto number_of_face = boost::make_function_property_map<Face>(
+      [&](Face f) { return face_numbers[f]; });
+    const auto number_of_vertex = boost::make_iterator_property_map(vertex_numbers.begin(),
+                                                                    get(boost::vertex_index, mesh));
     const auto all_foreign = [&](const auto& np) {
       return np.vertex_point_map(by_value)
-        .face_index_map(boost::make_assoc_property_map(face_index))
-        .vertex_index_map(boost::make_assoc_property_map(vertex_index));
+        .face_index_map(number_of_face)
+        .vertex_index_map(number_of_vertex);
     };
-    same(test::run(mesh, options, all_foreign));
-    const auto by_default = RP::number_of_segments(options.k);
-    const Result learned = test::run(mesh, all_foreign(by_default)),
-                 of_soup = test::run(to_surface_mesh(soup), by_default);
-    EXPECT_EQ(learned.regions, of_soup.regions);
-    EXPECT_EQ(learned.segments, of_soup.segments);
-    same(test::run(mesh, options, [&](const auto& np) {
-      return np.vertex_point_map(by_value).face_index_map(
-        boost::make_function_property_map<Face>([&](Face f) { return face_index.at(f); }));
-    }));
+    expect_same(
+      test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_reference); }),
+      expected);
+    expect_same(
+      test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }),
+      expected);
+    expect_same(test::run(mesh, options, all_foreign), expected);
+    expect_same(test::run(mesh, all_foreign(by_default)), learned);
   });
 }
 
 // The same under changes of the mesh
-
-void expect_same(const Result& a, const Result& b)
-{
-  EXPECT_EQ(a.regions, b.regions);
-  EXPECT_EQ(a.segments, b.segments);
-  EXPECT_EQ(a.features, b.features);
-}
 
 TEST_P(Properties_test, scaling_by_a_power_of_two_changes_no_bit)
 {
@@ -302,11 +269,7 @@ TEST_P(Two_step_properties_test, renumbering_renames)
     std::vector<std::size_t> new_of_old;
     shuffle_vertices(other, random, new_of_old);
     const Soup unshuffled = other;
-    // Faces as pairs of polygon and old label, in a new order.
-    std::vector<std::size_t> order(soup.polygons.size());
-    for (std::size_t f = 0; f < order.size(); ++f)
-      order[f] = f;
-    std::shuffle(order.begin(), order.end(), random);
+    const std::vector<std::size_t> order = random_order(soup.polygons.size(), random);
     Labels segments, regions;
     for (std::size_t f = 0; f < order.size(); ++f) {
       Polygon p = unshuffled.polygons[order[f]];
@@ -355,9 +318,7 @@ TEST_P(Closed_surfaces_test, are_turned_component_by_component)
 std::string parameter_name(const ::testing::TestParamInfo<std::tuple<Method, Family>>& info)
 {
   const char* const methods[] = {"two_step_", "visibility_", "learned_"};
-  std::string result = methods[int(std::get<0>(info.param))] + name(std::get<1>(info.param));
-  std::replace(result.begin(), result.end(), ' ', '_');
-  return result;
+  return methods[int(std::get<0>(info.param))] + family_in_name(std::get<1>(info.param));
 }
 INSTANTIATE_TEST_SUITE_P(families, Properties_test,
                          ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY,
@@ -419,12 +380,7 @@ TEST(Bad_input_test, a_point_that_is_not_finite_is_named)
       soup.points[7][coordinate] = bad;
       const Surface_mesh mesh = to_surface_mesh(soup);
       Outputs outputs(mesh);
-      try {
-        outputs.run(Options(2).named());
-        ADD_FAILURE() << "taken";
-      } catch (const RS::Invalid_input& e) {
-        EXPECT_NE(std::string(e.what()).find("vertex 7 "), std::string::npos) << e.what();
-      }
+      EXPECT_TRUE(contains(message_of([&] { outputs.run(Options(2).named()); }), "vertex 7 "));
       outputs.expect_untouched();
       EXPECT_THROW(test::detect_feature_edges(mesh, outputs.features), RS::Invalid_input);
       EXPECT_THROW(test::extract_feature_lines(mesh, outputs.features, CGAL::Emptyset_iterator()),
@@ -469,62 +425,56 @@ const std::vector<std::string> stages_of_two_step = {"reading", "regions", "grap
 const std::vector<std::string> stages_of_default = {"reading", "regions", "rays", "draws",
                                                     "borders"};
 
-/// Cancels at every call in turn.
-template <typename Parameters>
-void expect_that_cancelling_writes_nothing(const Surface_mesh& mesh, const Parameters& np)
+/// `run(outputs, visitor)` tells a visitor these stages, and writes nothing if it is cancelled, at
+/// whatever call.
+template <typename Run>
+void expect_stages(const std::vector<std::string>& stages, const Surface_mesh& mesh, const Run& run)
 {
   Visitor whole;
-  Outputs(mesh).run(np.visitor(std::ref(whole)));
-  ASSERT_GT(whole.calls.size(), 4u);
+  Outputs all(mesh);
+  run(all, std::ref(whole));
+  EXPECT_EQ(stages_of(whole), stages);
   for (std::size_t i = 1; i <= whole.calls.size(); ++i) {
     Visitor visitor;
     visitor.cancel_at = i;
     Outputs outputs(mesh);
-    EXPECT_THROW(outputs.run(np.visitor(std::ref(visitor))), RS::Segmentation_cancelled);
+    EXPECT_THROW(run(outputs, std::ref(visitor)), RS::Segmentation_cancelled);
     EXPECT_EQ(visitor.calls.size(), i);
     outputs.expect_untouched();
   }
 }
 
-TEST(Visitor_test, sees_the_stages_in_order_with_progress)
+TEST(Visitor_test, sees_the_stages_in_order_and_can_cancel_everywhere)
 {
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  Visitor visitor;
-  Outputs(mesh).run(Options(2, reference::Convexity::all).named().visitor(std::ref(visitor)));
-  EXPECT_EQ(stages_of(visitor), stages_of_two_step);
-  EXPECT_GT(visitor.calls.size(), 10u) << "merging tells about its steps";
+  const auto two_step = [](std::size_t k) {
+    return [k](Outputs& outputs, auto visitor) {
+      outputs.run(Options(k, reference::Convexity::all).named().visitor(visitor));
+    };
+  };
+  const auto by_default = [](Outputs& outputs, auto visitor) {
+    outputs.run(RP::number_of_segments(2).visitor(visitor));
+  };
+  const Surface_mesh mesh = to_surface_mesh(dumbbell()), box = to_surface_mesh(cube());
+  expect_stages(stages_of_two_step, mesh, two_step(2));
+  expect_stages(stages_of_default, mesh, by_default);
+  for (std::size_t k : {6, 100}) // as many segments as first regions, and more: nothing is merged
+    expect_stages(stages_of_two_step, box, two_step(k));
+  // Beside a large square each face of a small grid is so small that patches are made.
+  const Surface_mesh with_patches = to_surface_mesh(
+    joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
+  expect_stages(stages_of_default, with_patches, by_default);
+  expect_stages(stages_of_two_step, with_patches, two_step(2));
 
-  Visitor of_default;
-  Outputs(mesh).run(RP::number_of_segments(2).visitor(std::ref(of_default)));
-  EXPECT_EQ(stages_of(of_default), stages_of_default);
-}
-
-TEST(Visitor_test, sees_the_stages_where_nothing_is_merged)
-{
-  // As many segments as first regions, and more.
-  const Surface_mesh mesh = to_surface_mesh(cube());
-  for (std::size_t number : {6, 100}) {
-    const Options options(number, reference::Convexity::all);
-    Visitor visitor;
-    Outputs(mesh).run(options.named().visitor(std::ref(visitor)));
-    EXPECT_EQ(stages_of(visitor), stages_of_two_step) << number;
-    expect_that_cancelling_writes_nothing(mesh, options.named());
-  }
-}
-
-TEST(Visitor_test, sees_the_stages_of_stage_functions)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  Outputs outputs(mesh);
-  using Stages = std::vector<std::string>;
-  Visitor detecting, growing, building;
-  test::detect_feature_edges(mesh, outputs.features, Feature_options(),
-                             RP::visitor(std::ref(detecting)));
-  EXPECT_EQ(stages_of(detecting), (Stages{"reading", "features"}));
-  test::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(growing)));
-  EXPECT_EQ(stages_of(growing), (Stages{"reading", "regions"}));
-  test::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(building)));
-  EXPECT_EQ(stages_of(building), (Stages{"reading", "graph"}));
+  expect_stages({"reading", "features"}, mesh, [](Outputs& outputs, auto visitor) {
+    test::detect_feature_edges(outputs.mesh, outputs.features, Feature_options(),
+                               RP::visitor(visitor));
+  });
+  expect_stages({"reading", "regions"}, mesh, [](Outputs& outputs, auto visitor) {
+    test::grow_regions(outputs.mesh, outputs.features, outputs.regions, RP::visitor(visitor));
+  });
+  expect_stages({"reading", "graph"}, mesh, [](Outputs& outputs, auto visitor) {
+    test::build_region_adjacency_graph(outputs.mesh, outputs.regions, RP::visitor(visitor));
+  });
 }
 
 TEST(Visitor_test, sees_progress_inside_long_stages)
@@ -538,47 +488,6 @@ TEST(Visitor_test, sees_progress_inside_long_stages)
     ++calls[call.first];
   for (const std::string& stage : stages_of_default)
     EXPECT_GT(calls[stage], 1u) << stage;
-}
-
-TEST(Visitor_test, can_cancel_anywhere_and_nothing_is_written)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
-  expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
-}
-
-TEST(Visitor_test, can_cancel_while_patches_are_made_and_nothing_is_written)
-{
-  // Beside a large square each face of a small grid is small enough to be joined.
-  const Surface_mesh mesh = to_surface_mesh(
-    joined(triangulated(grid(8, 8)), translated(scaled(grid(1, 1), 1000), 2000, 0, 0)));
-  const auto patches = RS::internal::Patch_builder::build(RS::make_surface(mesh), 0,
-                                                          RS::Execution());
-  ASSERT_LT(patches.fine.size(), num_faces(mesh) / 4);
-  expect_that_cancelling_writes_nothing(mesh, RP::number_of_segments(2));
-  expect_that_cancelling_writes_nothing(mesh, Options(2, reference::Convexity::all).named());
-}
-
-TEST(Visitor_test, can_cancel_stage_functions_and_nothing_is_written)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  for (std::size_t i = 1; i <= 2; ++i) {
-    Visitor visitor;
-    visitor.cancel_at = i;
-    Outputs outputs(mesh);
-    EXPECT_THROW(test::detect_feature_edges(mesh, outputs.features, Feature_options(),
-                                            RP::visitor(std::ref(visitor))),
-                 RS::Segmentation_cancelled);
-    visitor.calls.clear();
-    EXPECT_THROW(
-      test::grow_regions(mesh, outputs.features, outputs.regions, RP::visitor(std::ref(visitor))),
-      RS::Segmentation_cancelled);
-    visitor.calls.clear();
-    EXPECT_THROW(
-      test::build_region_adjacency_graph(mesh, outputs.regions, RP::visitor(std::ref(visitor))),
-      RS::Segmentation_cancelled);
-    outputs.expect_untouched();
-  }
 }
 
 TEST(Visitor_test, changes_nothing)

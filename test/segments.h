@@ -9,6 +9,7 @@
 #include "meshes.h"
 #include "oracles.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <random>
@@ -16,17 +17,6 @@
 #include <vector>
 
 namespace test {
-
-/// Labels in the order of the faces as a property map.
-template <typename Mesh>
-auto face_labels(const Mesh& mesh, const Labels& labels)
-{
-  auto map = face_map(mesh);
-  std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(map, f, labels[i++]);
-  return map;
-}
 
 /// Labels of random balls of faces, a few single faces of other labels, and a few without a
 /// segment: segments of several components, and such that touch themselves.
@@ -52,6 +42,20 @@ inline Labels random_labels(const Soup& soup, std::size_t number, unsigned seed)
       labels[f] = 10 * (random() % number);
     if (random() % 40 == 0)
       labels[f] = std::size_t(-1);
+  }
+  return labels;
+}
+
+/// By a coordinate of the middle of each face: the number of limits below it.
+inline Labels labels_along(std::size_t axis, const Soup& soup, const std::vector<double>& limits)
+{
+  Labels labels;
+  for (const Polygon& polygon : soup.polygons) {
+    double middle = 0;
+    for (std::size_t v : polygon)
+      middle += soup.points[v][axis] / double(polygon.size());
+    labels.push_back(
+      std::size_t(std::upper_bound(limits.begin(), limits.end(), middle) - limits.begin()));
   }
   return labels;
 }

@@ -5,6 +5,8 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_SHAPES_WITH_FACES_H
 #define CGAL_REGION_SEGMENTATION_TEST_SHAPES_WITH_FACES_H
 
+#include "meshes.h"
+
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 
 #include <array>
@@ -64,6 +66,16 @@ struct Shape
 private:
   std::map<std::array<long long, 3>, std::uint32_t> m_vertices;
 };
+
+inline test::Soup soup_of(const Shape& shape)
+{
+  test::Soup soup;
+  for (const Point& p : shape.points)
+    soup.points.push_back({p.x, p.y, p.z});
+  for (const Triangle& t : shape.triangles)
+    soup.polygons.push_back({t.begin(), t.end()});
+  return soup;
+}
 
 template <typename Function>
 void add_parallelogram(Shape& shape, int m, int n, const Point& o, const Point& u,

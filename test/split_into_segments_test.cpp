@@ -72,16 +72,13 @@ using Other_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 TEST(Split_into_segments_test, copies_every_segment_of_random_meshes)
 {
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const Labels labels = random_labels(soup, 2 + seed, seed);
-      check_pieces<Surface_mesh, Surface_mesh>(soup, labels);
-      check_pieces<Polyhedron, Polyhedron>(soup, labels);
-      check_pieces<Surface_mesh, Polyhedron>(soup, labels);
-      check_pieces<Surface_mesh, Other_mesh>(soup, labels);
-    }
+  for_each_random_mesh(all_families, 5, [&](const Soup& soup, unsigned seed) {
+    const Labels labels = random_labels(soup, 2 + seed, seed);
+    check_pieces<Surface_mesh, Surface_mesh>(soup, labels);
+    check_pieces<Polyhedron, Polyhedron>(soup, labels);
+    check_pieces<Surface_mesh, Polyhedron>(soup, labels);
+    check_pieces<Surface_mesh, Other_mesh>(soup, labels);
+  });
 }
 
 TEST(Split_into_segments_test, doubles_a_vertex_where_a_segment_touches_itself)
