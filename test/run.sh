@@ -17,7 +17,7 @@ if [ "${1:-}" = all ]; then
   all=ON
   packages="$packages assimp-utils blender calculix-ccx chromium chromium-driver clang dpkg-dev doxygen emscripten
     g++-aarch64-linux-gnu gmsh libclang-rt-14-dev libfast-float-dev libjs-mathjax libocct-data-exchange-dev lintian node-acorn
-    node-typescript nodejs openfoam parallel prusa-slicer python3-dev python3-gmsh python3-meshio python3-numpy python3-pip
+    node-typescript nodejs openfoam parallel prusa-slicer python3-dev python3-gmsh python3-hypothesis python3-meshio python3-numpy python3-pip
     python3-pybind11 python3-pytest python3-selenium python3-setuptools python3-vtk9 qemu-user-static valgrind"
   # That of node's makers is part of their nodejs, which excludes Debian's.
   command -v npm >/dev/null || packages="$packages npm"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// hash_labels MESHES STEP: prints a line `MESH METHOD HASH` for each STEP-th mesh of a file of
-// write_meshes and each method, and `done` after the last. Equal lines are equal labels, of a
-// chosen and of given numbers.
+// hash_labels FILE.off...: prints a line `FILE METHOD HASH` for each mesh and each method, and
+// `done` after the last. Equal lines are equal labels, of a chosen and of given numbers. Files in
+// which there is more than points and polygons are left out.
+
+#include "../Digest.h"
 
 #include "../Digest.h"
 
@@ -13,8 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <string>
 #include <type_traits>
@@ -31,25 +31,26 @@ struct Mesh
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-std::istream& operator>>(std::istream& in, Mesh& mesh)
+/// Decimal numbers are read with correct rounding everywhere.
+bool read_off(const std::string& file, Mesh& mesh)
 {
-  std::size_t number_of_points = 0, number_of_polygons = 0, number_of_corners = 0;
-  in >> std::hex >> mesh.name >> number_of_points >> number_of_polygons;
+  std::ifstream in(file);
+  std::string magic;
+  std::size_t number_of_points = 0, number_of_polygons = 0, number_of_edges = 0, size = 0;
+  in >> magic >> number_of_points >> number_of_polygons >> number_of_edges;
+  if (!in || magic != "OFF")
+    return false;
+  mesh.name = file.substr(file.rfind('/') + 1);
   mesh.points.resize(number_of_points);
   for (auto& p : mesh.points)
-    for (double& x : p) {
-      std::uint64_t bits = 0;
-      in >> bits;
-      std::memcpy(&x, &bits, sizeof x);
-    }
-  mesh.polygons.resize(number_of_polygons);
-  for (auto& polygon : mesh.polygons) {
-    in >> number_of_corners;
-    polygon.resize(number_of_corners);
-    for (std::size_t& v : polygon)
-      in >> v;
+    in >> p[0] >> p[1] >> p[2];
+  for (std::size_t i = 0; i < number_of_polygons && in >> size; ++i) {
+    mesh.polygons.emplace_back(size);
+    for (std::size_t& v : mesh.polygons.back())
+      if (!(in >> v) || v >= number_of_points)
+        return false;
   }
-  return in;
+  return bool(in) && (in >> magic).eof();
 }
 
 template <typename Method>
@@ -77,13 +78,9 @@ void print_labels(const Mesh& mesh, const char* method_name, const Method& metho
 
 int main(int argc, char** argv)
 {
-  if (argc != 3)
-    return 2;
-  const int step = std::atoi(argv[2]);
-  std::ifstream in(argv[1]);
-  int number = 0;
-  for (Mesh mesh; in >> mesh; ++number) {
-    if (number % step != 0)
+  for (int i = 1; i < argc; ++i) {
+    Mesh mesh;
+    if (!read_off(argv[i], mesh))
       continue;
     print_labels(mesh, "learned", RS::Learned_merging());
     print_labels(mesh, "visibility", RS::Visibility_merging());

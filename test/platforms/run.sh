@@ -4,7 +4,7 @@
 # meshes, and prints a table: a hash of the labels of each method, a row a platform, and the seconds
 # to build and to run. Where a row differs from the first, the meshes and methods in question follow.
 #
-# The meshes are procedural, and CGAL's small ones where the environment variable
+# The meshes are those of the examples, and CGAL's small ones where the environment variable
 # REGION_SEGMENTATION_REAL_MESHES names their folder; with PLATFORMS_STEP=N each N-th one of all.
 # PLATFORMS_DIR is where it builds, by default build-platforms/; CXXFLAGS are added to the options
 # of the compilers. With INSTALL_PACKAGES=no nothing is installed. Each compiler must also see
@@ -49,16 +49,9 @@ mkdir -p "$work/include"
 work=$(cd "$work" && pwd)
 ln -sfn /usr/include/CGAL /usr/include/boost /usr/include/eigen3/Eigen "$work/include"
 
-# The models use sine and cosine, whose last bits belong to the C library: the meshes are made once.
-files=
-if [ -n "${REGION_SEGMENTATION_REAL_MESHES:-}" ]; then
-  files=$(find "$(cd "$REGION_SEGMENTATION_REAL_MESHES" && pwd)" -name '*.off' -size -30k | LC_ALL=C sort)
-fi
 cd "$root"
-g++ -O1 -std=c++17 -I test -I examples/segment_mesh test/platforms/write_meshes.cpp \
-  $(ls test/models/*.cpp | grep -v _test) examples/segment_mesh/soup/*.cpp \
-  examples/segment_mesh/read/read_off.cpp examples/segment_mesh/read/Text_scanner.cpp -o "$work/write_meshes"
-"$work/write_meshes" $files >"$work/meshes"
+meshes=$(find examples/data ${REGION_SEGMENTATION_REAL_MESHES:+"$REGION_SEGMENTATION_REAL_MESHES"} -name '*.off' -size -130k |
+  LC_ALL=C sort | awk -v step="${PLATFORMS_STEP:-1}" 'NR % step == 0')
 
 # build NAME ENDING: hash_labels for a platform. CMake's target CGAL::Region_segmentation has
 # -ffp-contract=off, too.
@@ -74,7 +67,7 @@ build()
 # run NAME ENDING: its output, which ends with a line `done`.
 run()
 {
-  output=$(WINEDEBUG=-all $(column "$1" 4) "$work/$1/hash_labels$2" "$work/meshes" "${PLATFORMS_STEP:-1}" | tr -d '\r')
+  output=$(WINEDEBUG=-all $(column "$1" 4) "$work/$1/hash_labels$2" $meshes | tr -d '\r')
   [ "${output##*
 }" = "done" ] && printf '%s\n' "$output"
 }

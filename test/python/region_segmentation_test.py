@@ -2,6 +2,7 @@
 
 import importlib.metadata
 import inspect
+import itertools
 import os
 import pathlib
 import re
@@ -10,11 +11,14 @@ import subprocess
 import sys
 import threading
 import time
-import types
 import typing
+from types import SimpleNamespace
 
+import hypothesis
 import numpy
 import pytest
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 import region_segmentation
 from region_segmentation import Segmenter, segment
@@ -53,13 +57,6 @@ def volume(points, faces):
     return sum(points[f[0]] @ numpy.cross(points[f[i - 1]], points[f[i]]) / 6 for f in faces for i in range(2, len(f)))
 
 
-def test_two_sides_of_a_valley():
-    points, faces = grid(10, 1)
-    labels = segment(points, faces, 2, method="two-step")
-    assert labels.dtype == numpy.int32 and (labels == halves(10)).all()
-    assert (numpy.bincount(labels) == 100).all()
-
-
 @pytest.mark.parametrize("method, numbers", [("learned", [1, 3, 7]), ("visibility", [3]), ("two-step", [1, 2]), ("smooth-faces", [1, 2])])
 def test_numbers_given_and_chosen(method, numbers):
     points, faces = grid(10, 1)
@@ -81,54 +78,87 @@ def test_methods_differ():
     assert len(labels) == 4 and all(labels.count(x) == 1 for x in labels)
 
 
-def test_constrained_edges_are_borders():
-    with pytest.warns(UserWarning, match="2 segments: 1 are not possible"):
-        labels = segment(*grid(10, 0), 1, constrained_edges=middle(10))
-    assert (labels == halves(10)).all()
+def as_array(array, types, form):
+    """The array in another type and order of memory, or as a list."""
+    array = array.astype(types)
+    return {
+        "C": array, "Fortran": numpy.asfortranarray(array), "strided": numpy.repeat(array, 2, 0)[::2],
+        "backwards": array[::-1].copy()[::-1], "memory": memoryview(array), "list": array.tolist(),
+    }[form]
 
 
-def test_arrays_of_other_types_and_orders():
+def as_faces(faces, types, form):
+    """Faces of one or of several sizes as arrays, as lists, as an array padded with their sizes, and as cells of meshio."""
+    if form == "lists":
+        return [face.tolist() for face in faces]
+    if form == "arrays":
+        return [face.astype(types) for face in faces]
+    if form == "padded":
+        return numpy.concatenate([[len(face), *face] for face in faces]).astype(types)
+    if form == "cells":
+        blocks = [("line", [[0, 1]])]
+        for size, block in itertools.groupby(faces, len):
+            blocks.append(({3: "triangle", 4: "quad"}[size], numpy.array(list(block), types)))
+        return [SimpleNamespace(type=kind, data=data) for kind, data in blocks]
+    return as_array(numpy.array(faces), types, form)
+
+
+ARRAYS = ["C", "Fortran", "strided", "backwards", "memory", "list"]
+
+
+@pytest.mark.filterwarnings("ignore:. segments")
+@hypothesis.settings(derandomize=True, deadline=None, max_examples=60)
+@hypothesis.given(st.data())
+def test_meshes_in_every_form(data):
+    """Meshes as attributes of trimesh, Open3D, PyVista and meshio, as a tuple and as two arguments; of any types."""
     points, faces = grid(10, 1)
-    expected = segment(points, faces, 4)
-    for p in points.astype("f4"), numpy.asfortranarray(points), points.tolist(), points.astype(int):
-        for f in faces.astype("i4"), numpy.asfortranarray(faces), faces.tolist():
-            assert (segment(p, f, 4) == expected).all()
+    labels = halves(10)
+    sizes = data.draw(st.sampled_from(["triangles", "quads", "mixed"]))
+    if sizes != "triangles":
+        quads = numpy.concatenate([faces[::2], faces[1::2, 2:]], 1)
+        faces, labels = (quads, labels[::2]) if sizes == "quads" else ([*quads[:50], *faces[100:]], labels[50:])
+    form = data.draw(st.sampled_from(["lists", "arrays", "padded", "cells"] + ARRAYS * (sizes != "mixed")))
+    p = as_array(points, data.draw(st.sampled_from(["f4", "f8", ">f8", "i2", "u1"])), data.draw(st.sampled_from(ARRAYS)))
+    f = as_faces(faces, data.draw(st.sampled_from(["i4", "i8", "u2", ">i4"])), form)
+    kinds = [("points", "cells")] if form == "cells" else [("vertices", "faces"), ("vertices", "triangles"), ("points", "faces"), None]
+    kind = data.draw(st.sampled_from(kinds))
+    mesh = SimpleNamespace(**dict(zip(kind, (p, f)))) if kind else (p, f)
+    marks = as_array(labels, data.draw(st.sampled_from(["i1", "u4", "i8", "u8", ">i4"])), data.draw(st.sampled_from(ARRAYS)))
+    assert (segment(mesh, number_of_segments=2, method="two-step") == labels).all()
+    assert (segment(mesh, number_of_segments=1, constrained_edges=middle(10), method="two-step") == labels).all()
+    assert (Segmenter(mesh).segment(5) == segment(points, [list(face) for face in faces], 5)).all()
+    assert (region_segmentation.segment_borders(mesh, labels=marks) == middle(10)).all()
+    assert len(region_segmentation.describe_segments(mesh, labels=marks)) == 2
+    assert len(region_segmentation.close_segments(mesh, labels=marks)) == 2
+    assert (region_segmentation.smooth_borders(mesh, labels=marks) == labels).all()
+    assert (region_segmentation.find_part_faces(mesh)[0] == labels).all()
+    assert (region_segmentation.transfer_labels(mesh, marks, mesh) == labels).all()
 
 
-def meshes(points, faces):
-    """Objects with the attributes of meshes of trimesh, Open3D, PyVista and meshio; and a tuple."""
-    padded = numpy.insert(faces, 0, faces.shape[1], 1).reshape(-1)
-    yield types.SimpleNamespace(vertices=points, faces=faces)
-    yield types.SimpleNamespace(vertices=memoryview(points), triangles=memoryview(faces))
-    yield types.SimpleNamespace(points=points, faces=padded)
-    yield types.SimpleNamespace(points=points, cells=[types.SimpleNamespace(type="triangle", data=faces)])
-    yield points, faces
-
-
-def test_faces_of_different_sizes():
-    points, faces = grid(10, 1)
-    quads = numpy.concatenate([faces[::2], faces[1::2, 2:]], 1)
-    assert (segment(points, quads, 2, method="two-step") == halves(10)[::2]).all()
-    mixed = quads[:50].tolist() + faces[100:].tolist()
-    padded = numpy.array([i for face in mixed for i in (len(face), *face)], "u2")
-    block = types.SimpleNamespace
-    cells = [block(type="quad", data=quads[:50]), block(type="line", data=[[0, 1]]), block(type="triangle", data=faces[100:])]
-    for form in mixed, [numpy.array(face) for face in mixed], padded, padded.tolist(), cells:
-        mesh = types.SimpleNamespace(points=points, cells=cells) if form is cells else (points, form)
-        assert (segment(mesh, number_of_segments=2, method="two-step") == [0] * 50 + [1] * 100).all()
-
-
-def test_meshes_of_other_libraries():
-    mesh = grid(10, 1)
-    for other in meshes(*mesh):
-        assert (segment(other, number_of_segments=2, method="two-step") == halves(10)).all()
-        assert (Segmenter(other).segment(5) == segment(*mesh, 5)).all()
-        assert (region_segmentation.segment_borders(other, labels=halves(10)) == middle(10)).all()
-        assert len(region_segmentation.describe_segments(other, labels=halves(10))) == 2
-        assert len(region_segmentation.close_segments(other, labels=halves(10))) == 2
-        assert (region_segmentation.smooth_borders(other, labels=halves(10)) == halves(10)).all()
-        assert (region_segmentation.find_part_faces(other)[0] == halves(10)).all()
-        assert (region_segmentation.transfer_labels(other, halves(10), other) == halves(10)).all()
+@pytest.mark.filterwarnings("ignore:. segments")
+@hypothesis.settings(derandomize=True, deadline=None, max_examples=100)
+@hypothesis.given(st.data())
+def test_random_soups(data):
+    number = data.draw(st.integers(1, 12))
+    coordinates = st.sampled_from([0, 1, 2, 0.5, -1e-7, 1e6]) | st.floats(-10, 10)
+    points = data.draw(arrays("f8", (number, 3), elements=coordinates))
+    polygon = st.lists(st.integers(0, number - 1), min_size=3, max_size=6)
+    faces = data.draw(st.lists(polygon, min_size=1, max_size=20))
+    labels = data.draw(arrays("i4", len(faces), elements=st.integers(-1, 3)))
+    for method in typing.get_args(region_segmentation.Method):
+        result = Segmenter(points, faces, method, component_links=True).segment(3)
+        seen = list(dict.fromkeys(result.tolist()))
+        assert result.dtype == numpy.int32 and len(result) == len(faces) and seen == list(range(len(seen))) and len(seen) <= 3
+    mesh = points, faces
+    borders = region_segmentation.segment_borders(mesh, labels=labels)
+    assert borders.shape[1] == 2 and (borders.size == 0 or borders.max() < number)
+    known = set(labels.tolist())
+    assert {d["segment"] for d in region_segmentation.describe_segments(mesh, labels=labels)} <= known
+    assert set(region_segmentation.smooth_borders(mesh, labels=labels).tolist()) <= known
+    assert set(region_segmentation.transfer_labels(mesh, labels, mesh).tolist()) <= known | {-1}
+    for solid in region_segmentation.close_segments(mesh, labels=labels):
+        sides = [(f[i - 1], f[i]) for f in solid["faces"] for i in range(len(f))]
+        assert sorted(sides) == sorted((b, a) for a, b in sides)
 
 
 def test_soups():
@@ -298,53 +328,52 @@ def test_package():
             assert value.__doc__ and all(p.annotation is not p.empty for p in inspect.signature(value).parameters.values())
 
 
-def test_wrong_input_is_named():
-    points, faces = grid(3, 1)
+INVALID = region_segmentation.InvalidInput
+POINTS, FACES = grid(3, 1)
+NAN = numpy.where(numpy.arange(16)[:, None] == 5, numpy.nan, POINTS)
+LABELLED = ["segment_borders", "describe_segments", "close_segments", "smooth_borders"]
 
-    def message(*arguments, function=segment, kind=ValueError, **keywords):
-        with pytest.raises(kind) as error:
-            function(*arguments, **keywords)
-        assert error.type is kind
-        return str(error.value)
 
-    invalid = region_segmentation.InvalidInput
-    assert issubclass(invalid, ValueError) and issubclass(region_segmentation.Cancelled, RuntimeError)
-    assert invalid.__module__ == region_segmentation.Cancelled.__module__ == "region_segmentation"
-    assert message(points[:, :2], faces) == "points: not an array of (n, 3) numbers"
-    assert message(points, faces[:, :2]).startswith("faces: not an array of (m, 3) or more indices")
-    assert message(points, faces + 7, kind=invalid) == "face 6, from 0: index 16 is out of range: there are 16 points"
-    assert message(points, [[0, 1, 2], [0, 1, 2, -1]], kind=invalid) == "face 1, from 0: index -1 is out of range: there are 16 points"
-    assert message(points, [[0, 1, 2], []], kind=invalid) == "face 1, from 0: has no corners"
-    assert message(points, [3, 0, 1, 2, 4, 0, 1, 2]) == "faces: the padded array ends within its last face"
-    for sizes in (0, 3, 0, 1, 2), (-4, 3, 0, 1, 2):
-        assert message(points, sizes, kind=invalid) == "face 0, from 0: has no corners"
-    assert message(points, faces, seeds=[1]) == "seeds: not an int32 for each face, -1 for none"
-    for name, function in ("number_of_segments", segment), ("threads", Segmenter):
-        for number, kind in (0, ValueError), (-(10**30), ValueError), (2.5, TypeError), (True, TypeError), (numpy.True_, TypeError), ("2", TypeError):
-            expected = f"{name}: not None or an integer of at least 1, but {number!r}"
-            assert message(points, faces, function=function, kind=kind, **{name: number}) == expected
-    assert (segment(points, faces, numpy.int32(2)) == segment(points, faces, 2)).all()
-    assert all(len(segment(points, none)) == 0 for none in ([], (), numpy.empty((0, 3), int)))
-    assert message(points, faces, method="two-step") == "method two-step needs the number of segments"
+@pytest.mark.parametrize("kind, words, name, arguments, keywords", [
+    (ValueError, "points: not an array of", "segment", (POINTS[:, :2], FACES), {}),
+    (ValueError, "faces: not an array of", "segment", (POINTS, FACES[:, :2]), {}),
+    (ValueError, "faces: .* ends within its last face", "segment", (POINTS, [3, 0, 1, 2, 4, 0, 1, 2]), {}),
+    (INVALID, "face 6, .* 16 .* 16 points", "segment", (POINTS, FACES + 7), {}),
+    (INVALID, "face 1, .* -1 .* 16 points", "segment", (POINTS, [[0, 1, 2], [0, 1, 2, -1]]), {}),
+    (INVALID, "face 1, .* no corners", "segment", (POINTS, [[0, 1, 2], []]), {}),
+    *((INVALID, "face 0, .* no corners", "segment", (POINTS, [size, 3, 0, 1, 2]), {}) for size in (0, -4)),
+    (ValueError, "seeds: not an int32", "segment", (POINTS, FACES), {"seeds": [1]}),
+    *((kind, f"{key}: .* {re.escape(repr(n))}", name, (POINTS, FACES), {key: n})
+      for key, name in (("number_of_segments", "segment"), ("threads", "Segmenter"))
+      for n, kind in ((0, ValueError), (-(10**30), ValueError), (2.5, TypeError), (True, TypeError), (numpy.True_, TypeError), ("2", TypeError))),
+    (ValueError, "two-step needs the number", "segment", (POINTS, FACES), {"method": "two-step"}),
+    (ValueError, "method: not learned", "segment", (POINTS, FACES), {"method": "x"}),
+    (INVALID, "constrained edges: .* 0 and 9", "segment", (POINTS, FACES), {"constrained_edges": [[0, 9]]}),
+    (INVALID, "constrained edges: index 16", "segment", (POINTS, FACES), {"constrained_edges": [[0, 16]]}),
+    *((ValueError, "constrained_edges: not an array", "segment", (POINTS, FACES), {"constrained_edges": e}) for e in ([0, 1], [[0, 1, 2]])),
+    *((kind, "labels: not an int32", name, (POINTS, FACES, labels), {}) for name in LABELLED
+      for labels, kind in (([1, 2], ValueError), ([2**31] * 18, ValueError), ([0.5] * 18, TypeError))),
+    *((ValueError, "clearance: not", "close_segments", (POINTS, FACES, [0] * 18, c), {}) for c in (-1, numpy.inf, numpy.nan)),
+    *((INVALID, "vertex 5 ", name, (NAN, FACES), {}) for name in ("segment", "find_part_faces")),
+    *((TypeError, ": not ", "segment", arguments, {}) for arguments in (
+        (POINTS, FACES.astype("f8")), (POINTS, [[0, 1, 2], [0, 1, 2, 3.5]]), (POINTS, [[], []]), ("abc", FACES), (POINTS, 5.5), (POINTS,),
+        (SimpleNamespace(points=POINTS, cells=FACES),))),
+    (TypeError, "faces: given beside a mesh", "segment", (SimpleNamespace(points=POINTS, faces=FACES), 8), {}),
+])
+def test_wrong_input_is_named(kind, words, name, arguments, keywords):
+    with pytest.raises(kind, match=words) as error:
+        getattr(region_segmentation, name)(*arguments, **keywords)
+    assert error.type is kind
+
+
+def test_errors_and_empty_meshes():
+    assert issubclass(INVALID, ValueError) and issubclass(region_segmentation.Cancelled, RuntimeError)
+    assert INVALID.__module__ == region_segmentation.Cancelled.__module__ == "region_segmentation"
+    assert (segment(POINTS, FACES, numpy.int32(2)) == segment(POINTS, FACES, 2)).all()
+    assert all(len(segment(POINTS, none)) == 0 for none in ([], (), numpy.empty((0, 3), int)))
     for name in "regions", "merges":
-        assert message(Segmenter(points, faces, "two-step"), name, function=getattr).startswith("method two-step has no ")
-    assert message(points, faces, method="x").startswith("method: not learned")
-    assert message(points, faces, kind=invalid, constrained_edges=[[0, 9]]) == "constrained edges: there is no edge between points 0 and 9"
-    assert message(points, faces, kind=invalid, constrained_edges=[[0, 16]]).startswith("constrained edges: index 16 is out of range")
-    for edges in [0, 1], [[0, 1, 2]]:
-        assert message(points, faces, constrained_edges=edges) == "constrained_edges: not an array of (n, 2) indices"
-    expected = "labels: not an int32 for each face, -1 for none"
-    for labels, kind in ([1, 2], ValueError), ([2**31] * 18, ValueError), ([0.5] * 18, TypeError):
-        for name in "segment_borders", "describe_segments", "close_segments", "smooth_borders":
-            assert message(points, faces, labels, function=getattr(region_segmentation, name), kind=kind) == expected
-    for clearance in -1, numpy.inf, numpy.nan:
-        assert message(points, faces, [0] * 18, clearance, function=region_segmentation.close_segments).startswith("clearance: not")
-    points[5] = numpy.nan
-    for function in segment, region_segmentation.find_part_faces:
-        assert message(points, faces, function=function, kind=invalid) == "the point of vertex 5 is not finite"
-    for arguments in (points, faces.astype("f8")), (points, [[0, 1, 2], [0, 1, 2, 3.5]]), (points, [[], []]), ("abc", faces), (points, 5.5), (points,), (types.SimpleNamespace(points=points, cells=faces),):
-        assert ": not " in message(*arguments, kind=TypeError)
-    assert message(types.SimpleNamespace(points=points, faces=faces), 8, kind=TypeError).startswith("faces: given beside a mesh")
+        with pytest.raises(ValueError, match="two-step has no "):
+            getattr(Segmenter(POINTS, FACES, "two-step"), name)
 
 
 def test_other_threads_run_meanwhile():
@@ -419,18 +448,17 @@ def test_examples_of_the_readme(tmp_path, monkeypatch):
     """With modules that have what the examples use of trimesh, Open3D and PyVista."""
     monkeypatch.chdir(tmp_path)
     points, faces = grid(10, 1)
-    like_trimesh, like_open3d, like_pyvista, *_ = meshes(points, faces)
-    like_trimesh.visual = types.SimpleNamespace()
+    like_trimesh = SimpleNamespace(vertices=points, faces=faces, visual=SimpleNamespace())
+    like_open3d = SimpleNamespace(vertices=points, triangles=faces)
+    like_pyvista = SimpleNamespace(points=points, faces=as_faces(faces, int, "padded"), cell_data={})
     like_trimesh.export = lambda name: open(name, "w").close()
-    like_open3d.vertices, like_open3d.triangles = points, faces  # which can be copied
     like_open3d.remove_triangles_by_mask = lambda mask: written.append((~mask).sum())
-    like_pyvista.cell_data = {}
     like_pyvista.save = lambda name: open(name, "w").close()
     written = []
-    io = types.SimpleNamespace(read_triangle_mesh=lambda name: like_open3d, write_triangle_mesh=lambda name, part: open(name, "w").close())
-    monkeypatch.setitem(sys.modules, "trimesh", types.SimpleNamespace(load_mesh=lambda name: like_trimesh))
-    monkeypatch.setitem(sys.modules, "open3d", types.SimpleNamespace(io=io))
-    monkeypatch.setitem(sys.modules, "pyvista", types.SimpleNamespace(read=lambda name: like_pyvista))
+    io = SimpleNamespace(read_triangle_mesh=lambda name: like_open3d, write_triangle_mesh=lambda name, part: open(name, "w").close())
+    monkeypatch.setitem(sys.modules, "trimesh", SimpleNamespace(load_mesh=lambda name: like_trimesh))
+    monkeypatch.setitem(sys.modules, "open3d", SimpleNamespace(io=io))
+    monkeypatch.setitem(sys.modules, "pyvista", SimpleNamespace(read=lambda name: like_pyvista))
     readme = (pathlib.Path(__file__).parents[2] / "examples/python/README.md").read_text()
     examples = re.findall(r"```python\n(.*?)```", readme, re.S)
     assert len(examples) == 4

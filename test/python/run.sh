@@ -2,13 +2,13 @@
 # run.sh DIR SOURCE: makes a source distribution of the Python package from SOURCE in DIR, installs it into
 # a virtual environment there, without a network, and tests it.
 #
-# Exit status 77: something that it needs is missing (Debian: python3-dev python3-numpy python3-pip
-# python3-pybind11 python3-pytest python3-setuptools).
+# Exit status 77: something that it needs is missing (Debian: python3-dev python3-hypothesis python3-numpy
+# python3-pip python3-pybind11 python3-pytest python3-setuptools).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 python=${PYTHON:-/usr/bin/python3}
-if ! "$python" -c 'import setuptools, pip, pybind11, numpy, pytest' 2>/dev/null; then
-  echo "Skipped: $python lacks one of setuptools, pip, pybind11, numpy, pytest"
+if ! "$python" -c 'import setuptools, pip, pybind11, numpy, pytest, hypothesis' 2>/dev/null; then
+  echo "Skipped: $python lacks one of setuptools, pip, pybind11, numpy, pytest, hypothesis"
   exit 77
 fi
 rm -rf "$1"
