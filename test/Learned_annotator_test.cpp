@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "superfacet_stages.h"
 
-#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
-#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
-#include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
-#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -26,41 +21,19 @@ using RS::Merge_features;
 
 namespace Learned_annotator_test {
 
-using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
+using Graph = Graph_of<RS::Learned_annotator>;
 using Region = Graph::region_descriptor;
 
-RS::Surface surface_of(const Soup& soup)
+Graph annotated_soup(const Soup& soup, const std::vector<std::size_t>& labels)
 {
-  return RS::make_surface(to_surface_mesh(soup));
-}
-
-/// By the rays of these regions.
-void annotate(Graph& graph, const RS::Surface& surface, const RS::Partition& regions)
-{
-  const RS::Surface_patches patches = RS::internal::Patch_builder::build(surface, 0,
-                                                                         RS::Execution());
-  const auto rays = RS::internal::Inward_rays(surface, patches, regions).trace(RS::Execution());
-  RS::Learned_annotator()(graph, surface, regions,
-                          RS::Region_rays{rays, RS::Region_shapes(surface, patches.fine, regions)});
-}
-
-Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
-{
-  auto graph = RS::build_region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>(
-    surface, regions);
-  annotate(graph, surface, regions);
-  return graph;
-}
-
-Graph annotated(const Soup& soup, const std::vector<std::size_t>& labels)
-{
-  return annotated(surface_of(soup), RS::Partition::from_labels(labels));
+  return annotated<RS::Learned_annotator>(surface_of_soup(soup),
+                                          RS::Partition::from_labels(labels));
 }
 
 /// The faces by their nearest of `n` random faces: regions that need not be connected.
 std::vector<std::size_t> random_regions(const Soup& soup, std::size_t n, std::mt19937& random)
 {
-  const RS::Surface mesh = surface_of(soup);
+  const RS::Surface mesh = surface_of_soup(soup);
   std::vector<std::size_t> seeds, labels;
   for (std::size_t i = 0; i < n; ++i)
     seeds.push_back(random() % mesh.number_of_faces());
@@ -147,7 +120,7 @@ TEST(Second_moments_test, eigenvalues_are_roots_of_the_characteristic_polynomial
 
 TEST(Whole_shape_test, of_a_cube)
 {
-  const RS::Whole_shape whole = annotated(cube(), {0, 1, 2, 3, 4, 5})[0].whole;
+  const RS::Whole_shape whole = annotated_soup(cube(), {0, 1, 2, 3, 4, 5})[0].whole;
   EXPECT_NEAR(whole.flatness, 1, 1e-12);
   EXPECT_NEAR(whole.right_angles, 1, 1e-12);
   EXPECT_NEAR(whole.outward, 1, 1e-12);
@@ -165,7 +138,7 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
       std::mt19937 random(seed);
       const Soup soup = random_mesh(family, seed);
       std::vector<std::size_t> labels = random_regions(soup, 20, random);
-      Graph merged = annotated(soup, labels);
+      Graph merged = annotated_soup(soup, labels);
       std::vector<Region> kept = identity(merged.number_of_regions());
       std::vector<Region> region_of;
       for (const auto r : RS::Partition::from_labels(labels))
@@ -177,7 +150,7 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
             std::replace(region_of.begin(), region_of.end(), merge.removed, merge.kept);
             break;
           }
-      const Graph fresh = annotated(soup, {region_of.begin(), region_of.end()});
+      const Graph fresh = annotated_soup(soup, {region_of.begin(), region_of.end()});
       const RS::Partition fresh_regions = RS::Partition::from_labels(region_of);
       for (std::size_t f = 0; f < region_of.size(); ++f) {
         const auto &a = merged[region_of[f]], &b = fresh[Region(fresh_regions[f])];
@@ -206,7 +179,7 @@ TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
     SCOPED_TRACE(name(family));
     std::mt19937 random(3);
     const Soup soup = random_mesh(family, 3);
-    Graph graph = annotated(soup, random_regions(soup, 12, random));
+    Graph graph = annotated_soup(soup, random_regions(soup, 12, random));
     double own = 0;
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
       EXPECT_GE(graph[*range.first].own_visibility, -1e-12);
@@ -229,12 +202,12 @@ TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
 TEST(Learned_annotator_test, annotating_again_changes_nothing)
 {
   const Soup soup = random_mesh(Family::BLOCKS, 2);
-  const RS::Surface mesh = surface_of(soup);
+  const RS::Surface mesh = surface_of_soup(soup);
   std::mt19937 random(2);
   const RS::Partition regions = RS::Partition::from_labels(random_regions(soup, 20, random));
-  const Graph once = annotated(mesh, regions);
+  const Graph once = annotated<RS::Learned_annotator>(mesh, regions);
   Graph twice = once;
-  annotate(twice, mesh, regions);
+  annotate<RS::Learned_annotator>(twice, mesh, regions);
   ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
   for (auto range = vertices(once); range.first != range.second; ++range.first) {
     const auto &a = twice[*range.first], &b = once[*range.first];
@@ -257,10 +230,10 @@ TEST(Merge_features_test, do_not_depend_on_motion_and_size)
       std::mt19937 random(seed);
       const Soup soup = random_mesh(family, seed);
       const auto labels = random_regions(soup, 10, random);
-      const Graph graph = annotated(soup, labels);
+      const Graph graph = annotated_soup(soup, labels);
       const auto same = identity(graph.number_of_regions());
-      expect_same_features(graph, annotated(scaled(soup, 0.037), labels), same);
-      expect_same_features(graph, annotated(translated(turned(soup), 3.3, -7.1, 0.9), labels),
+      expect_same_features(graph, annotated_soup(scaled(soup, 0.037), labels), same);
+      expect_same_features(graph, annotated_soup(translated(turned(soup), 3.3, -7.1, 0.9), labels),
                            same);
     }
 }

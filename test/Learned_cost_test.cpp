@@ -18,41 +18,10 @@ namespace RS = CGAL::Region_segmentation;
 namespace Learned_cost_test {
 
 using Model = RS::Merge_model;
-constexpr std::size_t number_of_features = Model::number_of_features;
 
 int any_of(std::mt19937& random, int from, int to)
 {
   return from + int(random() % unsigned(to - from + 1));
-}
-
-/// The formula of the documentation, in real numbers.
-double value_of(const Model& model, const std::vector<double>& x)
-{
-  std::vector<double> y;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double center = model.inputs[i].center / 512.0,
-                 factor = model.inputs[i].factor / std::ldexp(1.0, 24 - 9);
-    const double scaled = std::max(-4.0, std::min(4.0, factor * (x[i] - center)));
-    y.push_back(std::trunc(256 * scaled) / 256);
-  }
-  double sum = double(model.output_bias) / std::ldexp(1.0, 26);
-  for (std::size_t i = 0; i < y.size(); ++i)
-    sum += model.direct_weights[i] / 1024.0 * y[i];
-  for (const Model::Unit& unit : model.units) {
-    double h = unit.bias / std::ldexp(1.0, 18);
-    for (std::size_t i = 0; i < y.size(); ++i)
-      h += unit.weights[i] / 1024.0 * y[i];
-    sum += unit.output_weight / std::ldexp(1.0, 14) * h / (1 + std::abs(h));
-  }
-  return sum;
-}
-
-Model::Weights random_weights(std::mt19937& random, int bound)
-{
-  Model::Weights weights{};
-  for (std::size_t i = 0; i < number_of_features; ++i)
-    weights[i] = std::int16_t(any_of(random, -bound, bound));
-  return weights;
 }
 
 using Graph = RS::Region_adjacency_graph<RS::Learned_region_data, RS::Learned_section_data>;
@@ -94,31 +63,6 @@ Model concavity_model()
   model.direct_weights[concave] = -4 * 1024;
   model.output_bias = std::int64_t(1) << 26;
   return model;
-}
-
-TEST(Merge_model_test, agrees_with_real_numbers)
-{
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    Model model;
-    for (Model::Input& input : model.inputs)
-      input = {any_of(random, -10, 10), any_of(random, 100000, 2000000)};
-    for (std::size_t j = 0; j < 5; ++j)
-      model.units.push_back({any_of(random, -1000000, 1000000), any_of(random, -30000, 30000),
-                             random_weights(random, Model::weight_bound)});
-    model.direct_weights = random_weights(random, Model::weight_bound);
-    model.output_bias = any_of(random, -100000000, 100000000);
-    for (int i = 0; i < 200; ++i) {
-      Model::Features x;
-      std::vector<double> real;
-      for (auto& value : x) {
-        value = Model::Feature(any_of(random, -40, 40));
-        real.push_back(value / 512.0);
-      }
-      EXPECT_NEAR(std::ldexp(double(model(x)), -20), value_of(model, real), 0.01);
-    }
-  }
 }
 
 TEST(Merge_model_test, portable_exp_is_nearly_exp)

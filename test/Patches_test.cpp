@@ -2,11 +2,10 @@
 
 #include "meshes.h"
 #include "oracles.h"
+#include "superfacet_stages.h"
 
 #include <CGAL/Region_segmentation/Graph/Patches.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
-#include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,6 @@
 #include <map>
 #include <numeric>
 #include <random>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,15 +26,10 @@ namespace Patches_test {
 
 using RS::Surface_patches;
 
-RS::Surface surface_of(const Soup& soup)
+/// Without crumbs.
+RS::Surface unlinked(const Soup& soup)
 {
-  return RS::make_surface(to_surface_mesh(soup), RS::parameters::component_links(false)); // no
-                                                                                          // crumbs
-}
-
-Surface_patches patches_of(const RS::Surface& surface)
-{
-  return RS::internal::Patch_builder::build(surface, 0, RS::Execution());
+  return surface_of_soup(soup, false);
 }
 
 /// A bumpy sheet beside a square that has nearly all of the area: the faces of the sheet are small
@@ -67,124 +60,10 @@ struct Node
   Double_3 normal() const { return (1 / norm(area_vector)) * area_vector; }
 };
 
-/// The definition, with sets and maps: the patch of each face. `patch_of`: before the first round
-Labels joined_in_rounds(const RS::Surface& mesh, Labels patch_of, double maximum_area)
-{
-  while (true) {
-    std::map<std::size_t, Node> nodes;
-    for (std::size_t f = 0; f < patch_of.size(); ++f) {
-      Node& node = nodes[patch_of[f]];
-      node.area += mesh.area(f);
-      node.moment = node.moment + mesh.area(f) * mesh.centroid(f);
-      node.area_vector = node.area_vector + mesh.area(f) * mesh.normal(f);
-    }
-    std::map<std::size_t, std::pair<double, std::size_t>> selected; // step and patch
-    for (std::size_t e = 0; e < mesh.number_of_adjacencies(); ++e) {
-      const std::size_t a = patch_of[mesh.lower_face(e)], b = patch_of[mesh.higher_face(e)];
-      const Node &x = nodes[a], &y = nodes[b];
-      if (a == b || mesh.has_flag(e, RS::Surface::SEAM | RS::Surface::LINK) ||
-          x.area + y.area > maximum_area * mesh.area())
-        continue;
-      const double step = norm(x.centroid() - y.centroid()) / std::sqrt(mesh.area()) +
-                          Surface_patches::deviation_weight * norm(x.normal() - y.normal());
-      for (auto [from, to] : {std::make_pair(a, b), std::make_pair(b, a)})
-        if (!selected.count(from) || std::make_pair(step, to) < selected[from])
-          selected[from] = {step, to};
-    }
-    const auto parent = [&](std::size_t i) {
-      if (!selected.count(i))
-        return i;
-      const std::size_t j = selected[i].second;
-      const bool is_larger = nodes[i].area != nodes[j].area ? nodes[i].area > nodes[j].area : i < j;
-      return selected[j].second == i && is_larger ? i : j;
-    };
-    const auto depth = [&](std::size_t i) {
-      std::size_t d = 0;
-      for (; parent(i) != i; i = parent(i))
-        ++d;
-      return d;
-    };
-    std::set<std::size_t> parents;
-    for (const auto& [i, node] : nodes)
-      if (parent(i) != i)
-        parents.insert(parent(i));
-    std::map<std::size_t, std::size_t> root;
-    std::size_t joined = 0;
-    for (const auto& [i, node] : nodes) {
-      root[i] = depth(i) % 2 == 1 ? parent(i) : parents.count(i) ? i : parent(parent(i));
-      joined += root[i] != i;
-    }
-    for (std::size_t& patch : patch_of)
-      patch = root[patch];
-    // Patches are named by their first face, so that ties are decided in the order of patches.
-    patch_of = renumbered(patch_of);
-    if (joined == 0 || joined < nodes.size() / 32)
-      return patch_of;
-  }
-}
-
-Labels patches_by_definition(const RS::Surface& mesh)
-{
-  Labels faces(mesh.number_of_faces());
-  std::iota(faces.begin(), faces.end(), 0);
-  return joined_in_rounds(mesh, faces, Surface_patches::maximum_area);
-}
-
-Labels coarse_patches_by_definition(const RS::Surface& mesh)
-{
-  return joined_in_rounds(mesh, patches_by_definition(mesh), Surface_patches::maximum_coarse_area);
-}
-
 /// Of the faces.
 Labels coarse_labels_of(const Surface_patches& patches)
 {
   return labels_of(composed(patches.fine.of_elements(), patches.coarse.of_elements()));
-}
-
-TEST(Patches_test, are_those_of_the_definition)
-{
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const RS::Surface mesh = surface_of(small_faces(seed));
-    const Surface_patches patches = patches_of(mesh);
-    EXPECT_LT(patches.fine.size(), mesh.number_of_faces() / 8);
-    EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(mesh));
-    EXPECT_LT(patches.coarse.size(), patches.fine.size() / 4);
-    EXPECT_EQ(coarse_labels_of(patches), coarse_patches_by_definition(mesh));
-  }
-}
-
-TEST(Patches_test, coarse_ones_are_made_of_single_faces_too)
-{
-  // No face is small enough to be joined at first.
-  for (unsigned seed = 1; seed <= 3; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    Soup soup = triangulated(torus(120, 60));
-    bump(soup, 0.01, random);
-    const RS::Surface mesh = surface_of(soup);
-    const Surface_patches patches = patches_of(mesh);
-    EXPECT_EQ(patches.fine.size(), mesh.number_of_faces());
-    EXPECT_LT(patches.coarse.size(), mesh.number_of_faces() / 2);
-    EXPECT_EQ(coarse_labels_of(patches), coarse_patches_by_definition(mesh));
-  }
-}
-
-TEST(Patches_test, another_round_follows_one_that_joined_just_enough)
-{
-  // The more large faces there are, the earlier the rounds end for the small ones.
-  std::mt19937 random(1);
-  Soup small = triangulated(grid(8, 8));
-  bump(small, 0.2, random);
-  std::set<std::size_t> numbers;
-  for (std::size_t columns = 1; columns <= 200; columns += 3) {
-    const Soup large = translated(scaled(grid(columns, 8), 300), 100, 0, 0);
-    const RS::Surface mesh = surface_of(joined(small, large));
-    const Surface_patches patches = patches_of(mesh);
-    EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(mesh)) << columns;
-    numbers.insert(patches.fine.size() - 8 * columns);
-  }
-  EXPECT_GT(numbers.size(), 3u);
 }
 
 using Lengths = std::map<std::pair<std::size_t, std::size_t>, double>;
@@ -248,13 +127,15 @@ void expect_centers(const RS::Patches& patches, const Centroid& centroid)
   }
 }
 
-TEST(Patches_test, are_connected_and_described)
+TEST(Patches_test, are_small_connected_and_described)
 {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Soup soup = small_faces(seed);
-    const RS::Surface mesh = surface_of(soup);
+    const RS::Surface mesh = unlinked(soup);
     const Surface_patches patches = patches_of(mesh);
+    EXPECT_LT(patches.fine.size(), mesh.number_of_faces() / 8);
+    EXPECT_LT(patches.coarse.size(), patches.fine.size() / 4);
     EXPECT_TRUE(is_connected(soup, labels_of(patches.fine.of_elements())));
     EXPECT_TRUE(is_connected(soup, coarse_labels_of(patches)));
     expect_description(patches.fine, mesh, labels_of(patches.fine.of_elements()), Contacts::YES);
@@ -287,7 +168,6 @@ TEST(Patches_test, are_not_joined_across_seams)
   ASSERT_TRUE(surface.has_seams_or_links());
   const Surface_patches patches = patches_of(surface);
   EXPECT_EQ(patches.fine.size(), 102u) << "each sheet";
-  EXPECT_EQ(labels_of(patches.fine.of_elements()), patches_by_definition(surface));
   EXPECT_TRUE(patches.fine.adjacencies().empty());
   EXPECT_GE(patches.fine.contacts().size(), 100u);
   expect_description(patches.fine, surface, labels_of(patches.fine.of_elements()), Contacts::YES);
@@ -349,7 +229,7 @@ TEST(Patches_test, are_divided_by_regions)
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    expect_division(surface_of(small_faces(seed)), 12, random);
+    expect_division(unlinked(small_faces(seed)), 12, random);
   }
 }
 
@@ -380,7 +260,7 @@ TEST(Patches_test,
     const Double_3 d = Double_3{c[0], c[1], c[2]} + (1e-10 / norm(normal)) * normal;
     book.points.push_back({d.x, d.y, d.z});
     book.polygons = {{0, 1, 2}, {1, 0, 3}};
-    const RS::Surface mesh = surface_of(book);
+    const RS::Surface mesh = unlinked(book);
     const Surface_patches patches = patches_of(mesh);
     ASSERT_EQ(patches.fine.adjacencies().size(), 1u);
     less += dot(patches.fine[0].normal, patches.fine[1].normal) < -1;
@@ -393,7 +273,7 @@ TEST(Patches_test,
 TEST(Patches_test, a_mesh_without_area_is_one_patch_for_each_piece)
 {
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
-  const RS::Surface mesh = surface_of(point);
+  const RS::Surface mesh = unlinked(point);
   const Surface_patches patches = patches_of(mesh);
   EXPECT_EQ(patches.fine.size(), 1u);
   EXPECT_EQ(patches.fine[0].area, 0);

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "superfacet_stages.h"
 
-#include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
-#include <CGAL/Region_segmentation/Superfacets/Superfacets.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
-#include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 #include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
@@ -28,16 +23,6 @@ using RS::Double_3;
 
 namespace Visibility_annotator_test {
 
-RS::Surface surface_of(const Soup& soup)
-{
-  return RS::make_surface(to_surface_mesh(soup));
-}
-
-RS::Surface_patches patches_of(const RS::Surface& surface)
-{
-  return RS::internal::Patch_builder::build(surface, 0, RS::Execution());
-}
-
 /// Where a ray meets the plane of a triangle, if that is inside by the signs of three volumes.
 double distance_to_triangle(const Double_3& o, const Double_3& d, const Double_3& a,
                             const Double_3& b, const Double_3& c)
@@ -50,23 +35,11 @@ double distance_to_triangle(const Double_3& o, const Double_3& d, const Double_3
   return t > 0 ? t : std::numeric_limits<double>::infinity();
 }
 
-using Graph = RS::Region_adjacency_graph<RS::Visibility_region_data, RS::Visibility_section_data>;
+using Graph = Graph_of<RS::Visibility_annotator>;
 
-/// By the rays of these regions.
-void annotate(Graph& graph, const RS::Surface& mesh, const RS::Partition& regions)
+Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
 {
-  const RS::Surface_patches patches = patches_of(mesh);
-  const auto rays = RS::internal::Inward_rays(mesh, patches, regions).trace(RS::Execution());
-  RS::Visibility_annotator()(graph, mesh, regions,
-                             RS::Region_rays{rays, RS::Region_shapes(mesh, patches.fine, regions)});
-}
-
-Graph annotated(const RS::Surface& mesh, const RS::Partition& regions)
-{
-  auto graph = RS::build_region_adjacency_graph<RS::Visibility_region_data,
-                                                RS::Visibility_section_data>(mesh, regions);
-  annotate(graph, mesh, regions);
-  return graph;
+  return test::annotated<RS::Visibility_annotator>(surface, regions);
 }
 
 RS::Partition face_each(const RS::Surface& mesh)
@@ -113,8 +86,7 @@ double distance_to_face(const RS::Surface& surface, std::size_t triangle, const 
 /// Rays from faces in all directions; returns how many hit.
 std::size_t compare_hits(const Soup& soup, unsigned seed)
 {
-  const RS::Surface mesh = RS::make_surface(to_surface_mesh(soup),
-                                            RS::parameters::component_links(false));
+  const RS::Surface mesh = surface_of_soup(soup, false);
   const RS::internal::Ray_tree tree = tree_of(mesh);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
@@ -159,7 +131,7 @@ TEST(Ray_tree_test, finds_them_in_trees_of_many_boxes)
 
 TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
 {
-  const RS::Surface mesh = surface_of(triangulated(sphere(3)));
+  const RS::Surface mesh = surface_of_soup(triangulated(sphere(3)));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const auto& [source, direction] :
@@ -171,7 +143,7 @@ TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)
 
 TEST(Ray_tree_test, finds_needles_up_to_their_tips)
 {
-  const RS::Surface mesh = surface_of(needles(400, 1));
+  const RS::Surface mesh = surface_of_soup(needles(400, 1));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -189,7 +161,7 @@ TEST(Ray_tree_test, finds_faces_right_in_front_of_a_source)
   // Faces whose boxes have no thickness of their own, from both sides, at some units in the last
   // place of a float.
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {4, 4, 4}));
-  const RS::Surface mesh = surface_of(block);
+  const RS::Surface mesh = surface_of_soup(block);
   const RS::internal::Ray_tree tree = tree_of(mesh, {2, 2, 2});
   for (std::size_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const double side : {1.0, -1.0}) {
@@ -205,7 +177,7 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 {
   // Rays straight down on edges and corners of a plate of unit squares: without the face that was
   // hit, another one is, and not a lower one at the same distance.
-  const RS::Surface mesh = surface_of(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
+  const RS::Surface mesh = surface_of_soup(voxel_surface(voxel_block({0, 0, 0}, {16, 16, 1})));
   const RS::internal::Ray_tree tree = tree_of(mesh);
   std::size_t ties = 0;
   for (double x = 1; x < 16; x += 0.5)
@@ -225,8 +197,8 @@ TEST(Ray_tree_test, of_faces_hit_at_the_same_distance_it_is_the_lowest)
 TEST(Region_shapes_test, are_those_of_the_faces_and_of_the_first_face_where_there_is_no_area)
 {
   const Soup point{{{7, 8, 9}, {7, 8, 9}, {7, 8, 9}}, {{0, 1, 2}}};
-  const RS::Surface mesh = surface_of(joined(grid(2, 1), point)),
-                    of_square = surface_of(grid(1, 1));
+  const RS::Surface mesh = surface_of_soup(joined(grid(2, 1), point)),
+                    of_square = surface_of_soup(grid(1, 1));
   const RS::Region_shapes shapes(mesh, patches_of(mesh).fine,
                                  RS::Partition::from_labels(std::vector<int>{0, 0, 1}));
   ASSERT_EQ(shapes.regions.size(), 2u);
@@ -263,7 +235,7 @@ TEST(Inward_rays_test, small_regions_cast_one_ray_or_none)
 TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
 {
   for (Family family : {Family::SPHERE, Family::TORUS, Family::DEGENERATE_TORUS}) {
-    const RS::Surface mesh = surface_of(random_mesh(family, 3));
+    const RS::Surface mesh = surface_of_soup(random_mesh(family, 3));
     const Graph graph = annotated(mesh, face_each(mesh));
     double area = 0, ends = 0, between = 0;
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
@@ -282,7 +254,7 @@ TEST(Visibility_annotator_test, areas_are_shares_and_every_ray_has_two_ends)
 TEST(Visibility_annotator_test, opposite_sides_see_each_other_without_a_common_border)
 {
   // The six faces of a cube: rays from one end on others, the one straight in on the opposite one.
-  const RS::Surface mesh = surface_of(cube());
+  const RS::Surface mesh = surface_of_soup(cube());
   const Graph graph = annotated(mesh, face_each(mesh));
   EXPECT_EQ(graph.number_of_sections(), 12u + 3u);
   for (std::uint32_t axis : {0u, 2u, 4u}) {
@@ -303,7 +275,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
       soup.polygons.pop_back(); // open, so that it is read as it is
       soup = reversed(soup);
     }
-    const RS::Surface mesh = surface_of(soup);
+    const RS::Surface mesh = surface_of_soup(soup);
     const auto is_feature = RS::detect_feature_edges(
       mesh, 30, is_inside_out ? RS::Feature_convexity::CONVEX : RS::Feature_convexity::CONCAVE);
     const RS::Partition regions = RS::grow_regions(mesh, is_feature);
@@ -319,7 +291,7 @@ TEST(Visibility_annotator_test, deviations_are_integrated_by_sign_up_to_a_bound)
 
 TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_other)
 {
-  const RS::Surface mesh = surface_of(pillow());
+  const RS::Surface mesh = surface_of_soup(pillow());
   const Graph graph = annotated(mesh, face_each(mesh));
   const auto& section = graph[*graph.section(0, 1)];
   EXPECT_GT(section.length, 0);
@@ -329,7 +301,7 @@ TEST(Visibility_annotator_test, regions_with_one_centroid_bend_away_from_each_ot
 TEST(Visibility_annotator_test, a_surface_without_area_is_left_as_it_is)
 {
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
-  const RS::Surface mesh = surface_of(point);
+  const RS::Surface mesh = surface_of_soup(point);
   const Graph graph = annotated(mesh, face_each(mesh));
   EXPECT_EQ(graph[0u].area, 0);
   EXPECT_EQ(graph[0u].visibility, 0);

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
-#include "oracles.h"
 
-#include <CGAL/Region_segmentation/Evaluation/overlap_measures.h>
-#include <CGAL/Region_segmentation/Graph/Hierarchy.h>
-#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/smooth_noise.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -78,39 +73,6 @@ TEST(smooth_noise_test, gives_the_surface_of_the_moved_points)
     EXPECT_EQ(smoothed->flags(a), expected.flags(a)) << a;
     EXPECT_EQ(smoothed->squared_length(a), surface.squared_length(a)) << a;
   }
-}
-
-/// Two balls that overlap a little; `truth`: the ball of each face.
-Soup two_balls(Labels& truth)
-{
-  Soup soup = mapped(sphere(5), [](const Point& p) {
-    const double x = 1.8 * std::asin(p[0]) / std::asin(1.0), away = std::hypot(p[1], p[2]);
-    const double center = x < 0 ? -0.85 : 0.85;
-    const double radius = std::max(std::sqrt(std::max(0.0, 0.9 - (x - center) * (x - center))),
-                                   0.02);
-    return Point{x, away > 0 ? radius * p[1] / away : 0, away > 0 ? radius * p[2] / away : 0};
-  });
-  truth.clear();
-  for (const Polygon& polygon : soup.polygons)
-    truth.push_back(
-      soup.points[polygon[0]][0] + soup.points[polygon[1]][0] + soup.points[polygon[2]][0] < 0 ? 0
-                                                                                               : 1);
-  return soup;
-}
-
-TEST(smooth_noise_test, parts_are_found_under_noise)
-{
-  Labels truth;
-  const Soup soup = two_balls(truth);
-  for (const double deviation : {0.0, 0.007, 0.014}) // a quarter of the edges at most
-    for (const unsigned seed : {1, 2, 3}) {
-      SCOPED_TRACE(std::to_string(deviation) + ", seed " + std::to_string(seed));
-      const RS::Surface surface = surface_of(noisy(soup, deviation, seed));
-      const RS::Learned_merging method;
-      const RS::Hierarchy hierarchy = method.merge(surface, method.prepare(surface), RS::Request());
-      const RS::Partition segments = hierarchy.segments(2);
-      EXPECT_LT(RS::rand_index_distance(segments, RS::Partition::from_labels(truth)), 0.06);
-    }
 }
 
 } // namespace smooth_noise_test

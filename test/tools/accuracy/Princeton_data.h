@@ -72,12 +72,7 @@ public:
   /// \throws std::runtime_error if there are not `number_of_faces` of them
   std::vector<int> labels(int model, int segmentation, std::size_t number_of_faces) const
   {
-    const Path file = segmentation_file(model, segmentation);
-    std::vector<int> result = read_integers(file);
-    if (result.size() != number_of_faces)
-      throw std::runtime_error(file.string() + ": " + std::to_string(result.size()) +
-                               " labels for " + std::to_string(number_of_faces) + " faces");
-    return result;
+    return read_labels(segmentation_file(model, segmentation), number_of_faces);
   }
 
   /// k of the standard protocol: the most common number of segments among the people.
@@ -95,6 +90,17 @@ public:
     return names.at(category);
   }
 
+  /// The integers of a file. \throws std::runtime_error if there are not `number_of_faces` of them
+  static std::vector<int> read_labels(const Path& file, std::size_t number_of_faces)
+  {
+    std::vector<int> result = read_integers(file);
+    if (result.size() != number_of_faces)
+      throw std::runtime_error(file.string() + ": " + std::to_string(result.size()) +
+                               " labels for " + std::to_string(number_of_faces) + " faces");
+    return result;
+  }
+
+private:
   /// All numbers of a file.
   static std::vector<int> read_integers(const Path& file)
   {
@@ -110,7 +116,6 @@ public:
     return numbers;
   }
 
-private:
   Path segmentation_folder(int model) const
   {
     return m_root / "data" / "seg" / "Benchmark" / std::to_string(model);

@@ -1,122 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the methods of the package stand on the Princeton Segmentation Benchmark, in one command.
+// Compares segmentations of the models of the Princeton Segmentation Benchmark, and of furniture,
+// with those by people: a line of CSV for each comparison.
 
-#include "Princeton_data.h"
-#include "Summary.h"
-#include "benchmark_options.h"
-#include "model_variants.h"
-#include "run_benchmark.h"
-#include "score_model.h"
-#include "score_tables.h"
-#include "variants_tables.h"
-#include "write_csv.h"
-#include "write_report.h"
+#include "Score.h"
+#include "methods.h"
 
-#include "batch/Progress_line.h"
-#include "write/Whole_file.h"
-#include "read/errors.h"
+#include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <ctime>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace princeton_benchmark {
 
 namespace {
 
-Model_scorer make_scorer(const Benchmark_options& options)
+struct Options
 {
-  if (options.method == "people")
-    return score_people;
-  const Method& method = find_method(options.method);
-  const Scoring scoring = {options.report_file.empty() ? Pictures::NONE : Pictures::NEAREST_TRUTH,
-                           options.number_of_runs};
-  return
-    [&method, scoring](const Model& model) { return score_segmentation(model, method, scoring); };
+  std::string data_folder, furniture_folder;
+  std::vector<std::string> methods = {"people", "learned", "visibility", "two-step"};
+  std::size_t draws = 0, step = 1, runs = 1;
+};
+
+double processor_seconds()
+{
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-std::vector<Model_result> run_with_progress(const std::vector<Model_source>& sources,
-                                            const Model_scorer& score, std::size_t threads)
+/// Each person against the others.
+void score_people(const Model_source& source, const Model& model)
 {
-  segment_mesh::Progress_line line(true);
-  const auto show = [&](std::size_t done) {
-    line.show(std::to_string(done) + " of " + counted(sources.size(), "model"),
-              double(done) / double(sources.size()));
+  const Mesh mesh = make_mesh(model.soup);
+  for (std::size_t i = 0; i < model.people.size(); ++i)
+    for (std::size_t j = 0; j < model.people.size(); ++j)
+      if (i != j)
+        write_score(std::cout, source, model,
+                    {"people", std::to_string(i), model.people[i].number_of_segments, 0}, j,
+                    compare(mesh, model.people[i].labels, model.people[j]));
+}
+
+void score_method(const Model_source& source, const Model& model, const std::string& way,
+                  const Method& method, std::size_t runs)
+{
+  const Mesh mesh = make_mesh(model.soup);
+  std::vector<int> labels(num_faces(mesh));
+  const auto score = [&](const std::string& number, std::optional<std::size_t> wanted) {
+    Segmentation segmentation{way, number, 0, 1e9};
+    for (std::size_t run = 0; run < runs; ++run) {
+      const double start = processor_seconds();
+      segmentation.number_of_segments = method.segment(mesh, wanted, labels);
+      segmentation.seconds = (std::min)(segmentation.seconds, processor_seconds() - start);
+    }
+    for (std::size_t i = 0; i < model.people.size(); ++i)
+      write_score(std::cout, source, model, segmentation, i,
+                  compare(mesh, labels, model.people[i]));
   };
-  return run_benchmark(sources, score, threads, show);
+  if (method.takes_number)
+    score("given", model.number_of_segments);
+  if (method.chooses_number)
+    score("chosen", std::nullopt);
 }
 
-Run run(const Benchmark_options& options)
+void score_model(const Model_source& source, const Options& options)
 {
-  std::optional<Princeton_data> data;
-  if (!options.data_folder.empty())
-    data.emplace(options.data_folder);
-  const bool is_people = options.method == "people";
-  return {options.method, data.has_value(),
-          is_people ? std::nullopt : std::make_optional(find_method(options.method).numbers),
-          run_with_progress(data ? princeton_sources(*data) : procedural_sources(),
-                            make_scorer(options), options.number_of_threads)};
+  static const std::map<std::string, Method> all = methods(options.draws);
+  const Model model = source.load();
+  for (const std::string& name : options.methods)
+    if (name == "people")
+      score_people(source, model);
+    else
+      score_method(source, model,
+                   name +
+                     (options.draws > 0 ? " (draws: " + std::to_string(options.draws) + ")" : ""),
+                   all.at(name), options.runs);
 }
 
-template <typename Writer>
-void write_file(const std::string& file, Writer write)
+/// The exit status. A model that fails is told of; the others are still scored.
+int score_models(const Options& options)
 {
-  if (file.empty())
-    return;
-  segment_mesh::Whole_file whole(file);
-  write(whole.stream());
-  whole.commit();
-}
-
-/// A line on stderr for each failure. The exit status.
-int report_failures(const std::vector<Model_result>& results)
-{
-  for (const Model_result& r : results)
-    if (!r.failure.empty())
-      std::cerr << "princeton_benchmark: "
-                << segment_mesh::one_line("model " + r.name + ": " + r.failure) << "\n";
-  const std::size_t failures = number_of_failures(results);
-  if (failures > 0)
-    std::cerr << "princeton_benchmark: " << failures << " of " << counted(results.size(), "model")
-              << " failed\n";
-  return failures > 0 ? 1 : 0;
-}
-
-int run_variants(const Benchmark_options& options)
-{
-  const std::vector<Model_source> sources = variant_sources(model_variants(*options.variants_seed));
-  std::vector<Variants_run> runs;
-  std::vector<Model_result> all;
-  for (const char* name : {"learned", "visibility", "two-step"}) {
-    const Method& method = find_method(name);
-    const auto score = [&](const Model& model) { return score_segmentation(model, method); };
-    runs.push_back({name, run_with_progress(sources, score, options.number_of_threads)});
-    write_text(std::cout, variants_table(runs.back()));
-    all.insert(all.end(), runs.back().results.begin(), runs.back().results.end());
-  }
-  write_text(std::cout, variants_comparison(runs[0], runs[1]));
-  write_text(std::cout, variants_comparison(runs[1], runs[2]));
-  write_file(options.csv_file, [&](std::ostream& out) { write_csv(out, all); });
-  return report_failures(all);
+  int status = 0;
+  const auto sources = find_models(options.data_folder, options.furniture_folder);
+  write_header_of_scores(std::cout);
+  for (std::size_t i = 0; i < sources.size(); i += options.step)
+    try {
+      score_model(sources[i], options);
+    } catch (const std::exception& error) {
+      std::cerr << "princeton_benchmark: model " << sources[i].name << ": " << error.what() << "\n";
+      status = 1;
+    }
+  return status;
 }
 
 int run_program(int argc, char** argv)
 {
-  const auto parsed = parse_command_line(argc, argv);
-  if (const int* exit_status = std::get_if<int>(&parsed))
-    return *exit_status;
-  const Benchmark_options& options = std::get<Benchmark_options>(parsed);
-  if (options.variants_seed)
-    return run_variants(options);
-  const Run result = run(options);
-  for (const Table& table : score_tables(result))
-    write_text(std::cout, table);
-  std::cout.flush();
-  write_file(options.csv_file, [&](std::ostream& out) { write_csv(out, result.results); });
-  write_file(options.report_file, [&](std::ostream& out) { write_report(out, result); });
-  return report_failures(result.results);
+  Options options;
+  CLI::App app("Compares segmentations with those by people. Writes CSV to stdout, for tables.py.",
+               "princeton_benchmark");
+  app.add_option("--data", options.data_folder, "The benchmark in its own layout")
+    ->required()
+    ->check(CLI::ExistingDirectory);
+  app.add_option("--furniture", options.furniture_folder, "KIND_NAME.off with KIND_NAME.seg, too")
+    ->check(CLI::ExistingDirectory);
+  app
+    .add_option("--methods", options.methods,
+                "people (each against the others), learned, visibility, two-step, "
+                "concave-angles (as MeshLib), sdf (CGAL's)")
+    ->delimiter(',')
+    ->check(
+      CLI::IsMember({"people", "learned", "visibility", "two-step", "concave-angles", "sdf"}));
+  app.add_option("--draws", options.draws, "Of learned and visibility")->check(CLI::Range(1, 1000));
+  app.add_option("--every", options.step, "One of so many models")->check(CLI::Range(1, 1000));
+  app.add_option("--runs", options.runs, "Of which the least time is written")
+    ->check(CLI::Range(1, 1000));
+  CLI11_PARSE(app, argc, argv);
+  return score_models(options);
 }
 
 } // namespace
@@ -128,7 +133,7 @@ int main(int argc, char** argv)
   try {
     return princeton_benchmark::run_program(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "princeton_benchmark: " << segment_mesh::one_line(error.what()) << "\n";
+    std::cerr << "princeton_benchmark: " << error.what() << "\n";
     return 1;
   }
 }

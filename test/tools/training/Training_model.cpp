@@ -20,10 +20,10 @@ namespace {
 std::vector<std::vector<int>> numbered_labels(const princeton_benchmark::Model& model)
 {
   std::vector<std::vector<int>> result;
-  for (const princeton_benchmark::Truth& truth : model.truths) {
+  for (const princeton_benchmark::Person& person : model.people) {
     std::map<int, int> number;
     std::vector<int> labels;
-    for (int label : truth.labels)
+    for (int label : person.labels)
       labels.push_back(number.emplace(label, int(number.size())).first->second);
     result.push_back(std::move(labels));
   }
@@ -37,11 +37,8 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
 {
   Training_model result;
   result.number = number;
-  result.number_of_segments = model.number_of_segments;
-  for (const princeton_benchmark::Truth& truth : model.truths)
-    result.segments_of_people.push_back(truth.number_of_segments);
   result.people = numbered_labels(model);
-  result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.polygons);
+  result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.triangles);
   const Training_model::Method::Prepared prepared = method.prepare(result.surface);
   const RS::Surface& shape = prepared.shape(result.surface);
   const RS::Patches& cells = prepared.patches.fine;

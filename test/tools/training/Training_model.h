@@ -5,7 +5,7 @@
 
 #include "Label_counts.h"
 
-#include "model_sources.h"
+#include "models.h"
 
 #include <CGAL/Region_segmentation/Graph/Region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
@@ -36,9 +36,7 @@ struct Training_model : Training_graph
   int number = 0; ///< in the benchmark, or above all of them: of its seeds
   std::string category;
   bool is_furniture = false;
-  double weight = 1;                  ///< of what is learned from it
-  std::size_t number_of_segments = 0; ///< k of the standard protocol
-  std::vector<std::size_t> segments_of_people;
+  double weight = 1;                    ///< of what is learned from it
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
   CGAL::Region_segmentation::Surface surface;
   std::vector<Training_graph> variants; ///< of the same model, to learn from: with other faces

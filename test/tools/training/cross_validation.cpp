@@ -105,7 +105,7 @@ Folds folds_of_categories(const std::vector<Training_model>& models)
 Cross_validation cross_validate(const std::vector<Training_model>& models, const Folds& folds,
                                 const Training_plan& plan)
 {
-  Cross_validation result{folds, {}, first_rows(models, plan), {}};
+  Cross_validation result{folds, {}, first_rows(models, plan)};
   result.trained = train_folds(result.rows, folds, plan);
   for (std::size_t round = 0; round < plan.learned_runs; ++round) {
     for (std::size_t i = 0; i < models.size(); ++i)
@@ -115,8 +115,6 @@ Cross_validation cross_validate(const std::vector<Training_model>& models, const
                   });
     result.trained = train_folds(result.rows, folds, plan);
   }
-  for (std::size_t i = 0; i < models.size(); ++i)
-    result.scores.push_back(score_learned(models[i], result.without(i)));
   return result;
 }
 

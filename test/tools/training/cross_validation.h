@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_CROSS_VALIDATION_H
 #define CGAL_REGION_SEGMENTATION_TEST_TOOLS_TRAINING_CROSS_VALIDATION_H
 
-#include "Model_score.h"
 #include "Network.h"
 #include "Training_model.h"
 #include "Training_rows.h"
@@ -42,7 +41,6 @@ struct Cross_validation
   Folds folds;
   std::vector<Model> trained;      ///< by fold, without it
   std::vector<Training_rows> rows; ///< by model: those that were trained on
-  std::vector<Model_score> scores; ///< by model, out of fold
 
   /// The model that was trained without one of the models.
   const Model& without(std::size_t model) const { return trained[folds[model]]; }
