@@ -8,8 +8,6 @@
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/internal/arrays.h>
-#include <CGAL/Region_segmentation/Surface/internal/Face_graph_input.h>
-#include <CGAL/Region_segmentation/Surface/internal/Polygon_input.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <gtest/gtest.h>
@@ -24,6 +22,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,6 +31,33 @@ using namespace test;
 using RS::Double_3;
 
 namespace Surface_test {
+
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>; // of faces, the lower one first
+
+Polygon corners_of(const RS::Surface& surface, std::size_t face)
+{
+  return {surface.corners(face).begin(), surface.corners(face).end()};
+}
+
+/// Faces, length and flags of adjacencies, in their order.
+using Adjacencies = std::vector<std::tuple<std::size_t, std::size_t, double, int>>;
+Adjacencies adjacencies_of(const RS::Surface& surface)
+{
+  Adjacencies result;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    result.emplace_back(surface.lower_face(a), surface.higher_face(a), surface.length(a),
+                        surface.flags(a));
+  return result;
+}
+
+Pairs pairs_with_flags(const RS::Surface& surface, std::uint8_t any)
+{
+  Pairs result;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    if (surface.has_flag(a, any))
+      result.insert({surface.lower_face(a), surface.higher_face(a)});
+  return result;
+}
 
 Double_3 vector(const Point& p)
 {
@@ -102,10 +128,7 @@ TEST_P(Surface_test, faces_have_their_corners_areas_and_normals)
     Polygon expected = soup.polygons[f];
     std::rotate(expected.begin(), std::min_element(expected.begin(), expected.end()),
                 expected.end());
-    Polygon corners;
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
-      corners.push_back(surface.corner(f, i));
-    ASSERT_EQ(corners, expected) << "face " << f << ", seed " << GetParam();
+    ASSERT_EQ(corners_of(surface, f), expected) << "face " << f << ", seed " << GetParam();
     const Double_3 a = area_vector(soup, expected);
     ASSERT_NEAR(surface.area(f), norm(a), 1e-12) << "face " << f << ", seed " << GetParam();
     ASSERT_LT(norm(surface.area(f) * surface.normal(f) - a), 1e-12)
@@ -168,17 +191,16 @@ TEST_P(Surface_test, constraints_are_those_of_the_map)
   std::mt19937 random(GetParam());
   const std::set<Edge> constrained = random_edges(soup, 9, random);
   const Surface_mesh mesh = to_surface_mesh(soup);
-  RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()));
-  std::set<std::pair<std::size_t, std::size_t>> expected; // higher and lower face
+  Pairs expected;
   for (const auto& [edge, faces] : faces_of_edges(soup))
     if (faces.size() == 2 && constrained.count(edge) > 0)
-      expected.insert({std::max(faces[0], faces[1]), std::min(faces[0], faces[1])});
+      expected.insert(std::minmax(faces[0], faces[1]));
   EXPECT_GT(expected.size(), 0u);
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    ASSERT_EQ(surface.has_flag(a, RS::Surface::CONSTRAINED),
-              expected.count({surface.higher_face(a), surface.lower_face(a)}) > 0)
-      << "adjacency " << a << ", seed " << GetParam();
+  EXPECT_EQ(pairs_with_flags(RS::make_surface(mesh, RS::parameters::edge_is_constrained_map(
+                                                      edge_map(mesh, constrained))),
+                             RS::Surface::CONSTRAINED),
+            expected)
+    << "seed " << GetParam();
 }
 
 INSTANTIATE_TEST_SUITE_P(seeds, Surface_test, ::testing::Values(1u, 2u));
@@ -224,26 +246,6 @@ bool is_equal(const Double_3& a, const Double_3& b)
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-std::vector<std::size_t> corners_of(const RS::Surface& surface, std::size_t face)
-{
-  std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < surface.number_of_corners(face); ++i)
-    corners.push_back(surface.corner(face, i));
-  return corners;
-}
-
-void expect_equal_adjacencies(const RS::Surface& a, const RS::Surface& b)
-{
-  ASSERT_EQ(a.number_of_adjacencies(), b.number_of_adjacencies());
-  for (std::size_t i = 0; i < a.number_of_adjacencies(); ++i) {
-    ASSERT_EQ(a.lower_face(i), b.lower_face(i)) << "adjacency " << i;
-    ASSERT_EQ(a.higher_face(i), b.higher_face(i)) << "adjacency " << i;
-    ASSERT_EQ(a.length(i), b.length(i)) << "adjacency " << i;
-    ASSERT_EQ(a.flags(i), b.flags(i)) << "adjacency " << i;
-  }
-  EXPECT_EQ(a.has_seams_or_links(), b.has_seams_or_links());
-}
-
 /// The same places, areas and normals; the vertices may have other numbers.
 void expect_equal_shapes(const RS::Surface& a, const RS::Surface& b)
 {
@@ -256,7 +258,8 @@ void expect_equal_shapes(const RS::Surface& a, const RS::Surface& b)
   EXPECT_EQ(a.area(), b.area());
   EXPECT_EQ(a.unit(), b.unit());
   EXPECT_EQ(a.length_unit(), b.length_unit());
-  expect_equal_adjacencies(a, b);
+  EXPECT_EQ(adjacencies_of(a), adjacencies_of(b));
+  EXPECT_EQ(a.has_seams_or_links(), b.has_seams_or_links());
 }
 
 void expect_equal(const RS::Surface& a, const RS::Surface& b)
@@ -294,20 +297,6 @@ std::vector<std::size_t> with_flags(const RS::Surface& surface, std::uint8_t any
   return result;
 }
 
-/// Each polygon has points of its own.
-Soup torn(const Soup& soup)
-{
-  Soup result;
-  for (const Polygon& polygon : soup.polygons) {
-    result.polygons.emplace_back();
-    for (std::size_t v : polygon) {
-      result.polygons.back().push_back(result.points.size());
-      result.points.push_back(soup.points[v]);
-    }
-  }
-  return result;
-}
-
 TEST(Surface_of_polygons_test, is_that_of_the_same_mesh)
 {
   for (Family family : all_families)
@@ -334,29 +323,28 @@ TEST(Surface_of_polygons_test, polygons_and_points_may_be_of_any_type)
 
 TEST(Surface_of_polygons_test, equal_points_are_one)
 {
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS})
-    for (unsigned seed = 1; seed <= 2; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = triangulated(random_mesh(family, seed));
-      const RS::Surface expected = surface_of(soup), surface = surface_of(torn(soup));
-      ASSERT_EQ(surface.number_of_adjacencies(), expected.number_of_adjacencies());
-      std::map<std::pair<std::size_t, std::size_t>, double> lengths; // two triangles share one edge
-      for (std::size_t a = 0; a < expected.number_of_adjacencies(); ++a)
-        lengths[{expected.lower_face(a), expected.higher_face(a)}] = expected.length(a);
-      for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-        EXPECT_EQ(lengths.at({surface.lower_face(a), surface.higher_face(a)}), surface.length(a));
-        EXPECT_EQ(surface.flags(a), expected.flags(a));
-      }
-      // Each point has the lowest number of those equal to it.
-      std::map<Point, std::size_t> lowest;
-      const Soup separate = torn(soup);
-      for (std::size_t v = 0; v < separate.points.size(); ++v)
-        lowest.emplace(separate.points[v], v);
-      for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-        for (std::size_t v : corners_of(surface, f))
-          EXPECT_EQ(lowest.at(separate.points[v]), v);
-      expect_consistent_corners(surface);
+  const auto families = {Family::SHEET, Family::SPHERE, Family::TORUS, Family::BLOCKS};
+  for_each_random_mesh(families, 2, [&](const Soup& given, unsigned) {
+    const Soup soup = triangulated(given);
+    const RS::Surface expected = surface_of(soup), surface = surface_of(torn(soup));
+    ASSERT_EQ(surface.number_of_adjacencies(), expected.number_of_adjacencies());
+    std::map<std::pair<std::size_t, std::size_t>, double> lengths; // two triangles share one edge
+    for (std::size_t a = 0; a < expected.number_of_adjacencies(); ++a)
+      lengths[{expected.lower_face(a), expected.higher_face(a)}] = expected.length(a);
+    for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+      EXPECT_EQ(lengths.at({surface.lower_face(a), surface.higher_face(a)}), surface.length(a));
+      EXPECT_EQ(surface.flags(a), expected.flags(a));
     }
+    // Each point has the lowest number of those equal to it.
+    std::map<Point, std::size_t> lowest;
+    const Soup separate = torn(soup);
+    for (std::size_t v = 0; v < separate.points.size(); ++v)
+      lowest.emplace(separate.points[v], v);
+    for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      for (std::size_t v : corners_of(surface, f))
+        EXPECT_EQ(lowest.at(separate.points[v]), v);
+    expect_consistent_corners(surface);
+  });
   // -0 is 0.
   const Soup two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -0.0, 0}, {0, -1, 0}, {1, 0, -0.0}},
                  {{0, 1, 2}, {3, 4, 5}}};
@@ -369,12 +357,12 @@ TEST(Surface_of_polygons_test, equal_points_are_one)
 TEST(Surface_of_polygons_test, closed_components_that_share_points_are_as_in_a_face_graph)
 {
   const Soup box = triangulated(cube());
-  Soup open = box, mirrored = box; // so that diagonals of a shared side cross each other
+  Soup open = box;
   open.polygons.pop_back();
-  for (Polygon& polygon : mirrored.polygons)
-    std::reverse(polygon.begin(), polygon.end());
-  for (Point& p : mirrored.points)
-    p[0] = 1 - p[0];
+  // So that diagonals of a shared side cross each other.
+  const Soup mirrored = reversed(mapped(box, [](const Point& p) {
+    return Point{1 - p[0], p[1], p[2]};
+  }));
   std::vector<Soup> soups;
   for (const Point& place : {Point{1, 0, 0}, Point{1, 1, 0}, Point{1, 1, 1}, Point{0, 0, 0}})
     for (const Soup& other : {box, open, mirrored})
@@ -399,23 +387,16 @@ TEST(Surface_of_polygons_test, points_of_no_polygon_may_be_anything)
 TEST(Surface_of_polygons_test, what_cannot_be_read_is_told)
 {
   const auto message = [](const std::vector<Point>& points,
-                          const std::vector<std::vector<long>>& polygons) -> std::string {
-    try {
-      RS::make_surface_of_polygon_soup(points, polygons);
-    } catch (const RS::Invalid_input& error) {
-      return error.what();
-    }
-    return "";
+                          const std::vector<std::vector<long>>& polygons) {
+    return message_of([&] { RS::make_surface_of_polygon_soup(points, polygons); });
   };
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  EXPECT_EQ(message(points, {{0, 1, 2}}), "");
-  EXPECT_NE(message(points, {{0, 1, 2}, {0, 1, 3}}).find("polygon 1 has a corner 3"),
-            std::string::npos);
-  EXPECT_NE(message(points, {{0, -1, 2}}).find("polygon 0 has a corner -1"), std::string::npos);
-  EXPECT_NE(message(points, {{0, 1, 2}, {}}).find("polygon 1 has no corners"), std::string::npos);
-  EXPECT_NE(message({{0, 0, 0}, {1, std::nan(""), 0}, {0, 1, 0}}, {{0, 1, 2}})
-              .find("vertex 1 is not finite"),
-            std::string::npos);
+  EXPECT_EQ(message(points, {{0, 1, 2}}), "taken");
+  EXPECT_TRUE(contains(message(points, {{0, 1, 2}, {0, 1, 3}}), "polygon 1 has a corner 3"));
+  EXPECT_TRUE(contains(message(points, {{0, -1, 2}}), "polygon 0 has a corner -1"));
+  EXPECT_TRUE(contains(message(points, {{0, 1, 2}, {}}), "polygon 1 has no corners"));
+  EXPECT_TRUE(contains(message({points[0], {1, std::nan(""), 0}, points[2]}, {{0, 1, 2}}),
+                       "vertex 1 is not finite"));
   EXPECT_EQ(RS::make_surface_of_polygon_soup(std::vector<Point>(), std::vector<Polygon>())
               .number_of_faces(),
             0u);
@@ -490,9 +471,7 @@ TEST(Seams_test, two_cubes_at_an_edge)
   const Soup soup = voxel_surface({{0, 0, 0}, {1, 1, 0}});
   const RS::Surface surface = surface_of(soup);
   EXPECT_EQ(surface.number_of_adjacencies(), 11u + 11u + 4u);
-  std::set<std::pair<std::size_t, std::size_t>> seams;
   for (std::size_t a : with_flags(surface, RS::Surface::SEAM)) {
-    seams.insert({surface.lower_face(a), surface.higher_face(a)});
     EXPECT_EQ(surface.length(a), 0.5);
     EXPECT_TRUE(surface.has_angle(a)) << "closed cubes are oriented alike all around";
     const bool is_of_one_cube = surface.lower_face(a) / 6 == surface.higher_face(a) / 6;
@@ -500,7 +479,7 @@ TEST(Seams_test, two_cubes_at_an_edge)
               true);
   }
   // At x = y = 1: +x and +y of the first cube, -x and -y of the second.
-  EXPECT_EQ(seams, (std::set<std::pair<std::size_t, std::size_t>>{{1, 3}, {6, 8}, {1, 8}, {3, 6}}));
+  EXPECT_EQ(pairs_with_flags(surface, RS::Surface::SEAM), (Pairs{{1, 3}, {6, 8}, {1, 8}, {3, 6}}));
   EXPECT_EQ(with_flags(surface, RS::Surface::LINK).size(), 0u) << "seams connect, too";
   // Both are closed but for their seams: inside out they are turned.
   expect_equal_shapes(surface_of(reversed(soup)), surface);
@@ -514,15 +493,12 @@ TEST(Orientation_test, flipped_neighbors_are_turned)
       std::mt19937 random(seed);
       const Soup soup = triangulated(random_mesh(family, seed));
       Soup flipped = soup;
-      for (Polygon& polygon : flipped.polygons)
-        if (random() % 3 == 0)
-          std::reverse(polygon.begin(), polygon.end());
+      flip_some(flipped, 3, random);
       expect_equal(surface_of(flipped), surface_of(soup));
       expect_consistent_corners(surface_of(flipped));
       // Of an open surface the larger part remains as it is.
-      if (family == Family::SHEET) {
+      if (family == Family::SHEET)
         expect_equal(surface_of(reversed(flipped)), surface_of(reversed(soup)));
-      }
     }
 }
 
@@ -554,9 +530,7 @@ TEST(Orientation_test, a_moebius_strip_has_exactly_one_seam)
       std::mt19937 random(seed);
       const std::size_t n = 3 + seed;
       Soup soup = band(n, is_twisted);
-      for (Polygon& polygon : soup.polygons)
-        if (random() % 2 == 0)
-          std::reverse(polygon.begin(), polygon.end());
+      flip_some(soup, 2, random);
       shuffle_faces(soup, random);
       const RS::Surface surface = surface_of(soup);
       EXPECT_EQ(surface.number_of_adjacencies(), n);
@@ -727,35 +701,17 @@ TEST(Seams_test, faces_without_a_direction_around_their_edge_are_sewn)
   expect_consistent_corners(surface);
 }
 
-// Two boxes with a side of each on the same points, as polygons with common points, with points of
-// their own, and with those of each triangle.
+// Two boxes with a side of each on the same points: with points of each body, with common points,
+// and with those of each triangle.
 TEST(Doubled_faces_test, of_two_bodies_remain)
 {
-  const Soup shared{{{0, 0, 0},
-                     {1, 0, 0},
-                     {1, 1, 0},
-                     {0, 1, 0},
-                     {0, 0, 1},
-                     {1, 0, 1},
-                     {1, 1, 1},
-                     {0, 1, 1},
-                     {0, 0, 2},
-                     {1, 0, 2},
-                     {1, 1, 2},
-                     {0, 1, 2}},
-                    {{0, 3, 2, 1},
-                     {0, 1, 5, 4},
-                     {1, 2, 6, 5},
-                     {2, 3, 7, 6},
-                     {3, 0, 4, 7},
-                     {4, 5, 6, 7},
-                     {4, 7, 6, 5},
-                     {4, 5, 9, 8},
-                     {5, 6, 10, 9},
-                     {6, 7, 11, 10},
-                     {7, 4, 8, 11},
-                     {8, 9, 10, 11}}};
-  for (const Soup& soup : {shared, triangulated(shared), torn(triangulated(shared))}) {
+  const Soup two = joined(cube(), translated(cube(), 0, 0, 1));
+  Soup shared = two;
+  for (Polygon& polygon : shared.polygons)
+    for (std::size_t& v : polygon)
+      v = std::size_t(std::find(two.points.begin(), two.points.end(), two.points[v]) -
+                      two.points.begin());
+  for (const Soup& soup : {two, shared, triangulated(shared), torn(triangulated(shared))}) {
     const RS::Surface surface = surface_of(soup);
     EXPECT_EQ(surface.number_of_components(), 2u);
     EXPECT_EQ(surface.area(), 12);
@@ -769,51 +725,42 @@ TEST(Doubled_faces_test, of_two_bodies_remain)
   }
   // A face of one body that is given twice is still degenerate.
   Soup twice = shared;
-  twice.polygons.push_back({5, 6, 7, 4});
+  twice.polygons.push_back(shared.polygons[5]);
   EXPECT_TRUE(surface_of(twice).is_degenerate(12));
 }
 
 TEST(Doubled_faces_test, are_degenerate_and_adjacent_to_the_first_alone)
 {
-  for (Family family : {Family::SHEET, Family::SPHERE, Family::TORUS, Family::QUAD_SHEET})
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      const Soup soup = random_mesh(family, seed);
-      const std::size_t n = soup.polygons.size();
-      Soup doubled = soup;
-      std::vector<std::size_t> original;
-      for (int i = 0; i < 20; ++i) { // some three times
-        original.push_back(random() % (n / 4));
-        Polygon polygon = soup.polygons[original.back()];
-        std::rotate(polygon.begin(), polygon.begin() + random() % polygon.size(), polygon.end());
-        if (random() % 2 == 0)
-          std::reverse(polygon.begin(), polygon.end());
-        doubled.polygons.push_back(polygon);
-      }
-      const RS::Surface expected = surface_of(soup), surface = surface_of(doubled);
-      EXPECT_EQ(surface.area(), expected.area());
-      ASSERT_EQ(surface.number_of_adjacencies(),
-                expected.number_of_adjacencies() + original.size());
-      for (std::size_t f = 0; f < n; ++f) {
-        EXPECT_TRUE(is_equal(surface.normal(f), expected.normal(f)));
-        EXPECT_EQ(corners_of(surface, f), corners_of(expected, f));
-      }
-      for (std::size_t a = 0; a < expected.number_of_adjacencies(); ++a) {
-        EXPECT_EQ(surface.lower_face(a), expected.lower_face(a));
-        EXPECT_EQ(surface.higher_face(a), expected.higher_face(a));
-        EXPECT_EQ(surface.length(a), expected.length(a));
-        EXPECT_EQ(surface.flags(a), expected.flags(a));
-      }
-      for (std::size_t i = 0; i < original.size(); ++i) {
-        const std::size_t a = expected.number_of_adjacencies() + i;
-        EXPECT_TRUE(surface.is_degenerate(n + i));
-        EXPECT_EQ(surface.area(n + i), 0);
-        EXPECT_EQ(surface.higher_face(a), n + i);
-        EXPECT_EQ(surface.lower_face(a), original[i]);
-        EXPECT_EQ(surface.flags(a), RS::Surface::JOINING);
-      }
+  const auto families = {Family::SHEET, Family::SPHERE, Family::TORUS, Family::QUAD_SHEET};
+  for_each_random_mesh(families, 4, [&](const Soup& soup, unsigned seed) {
+    std::mt19937 random(seed);
+    const std::size_t n = soup.polygons.size();
+    Soup doubled = soup;
+    std::vector<std::size_t> original;
+    for (int i = 0; i < 20; ++i) { // some three times
+      original.push_back(random() % (n / 4));
+      Polygon polygon = soup.polygons[original.back()];
+      std::rotate(polygon.begin(), polygon.begin() + random() % polygon.size(), polygon.end());
+      if (random() % 2 == 0)
+        std::reverse(polygon.begin(), polygon.end());
+      doubled.polygons.push_back(polygon);
     }
+    const RS::Surface expected = surface_of(soup), surface = surface_of(doubled);
+    EXPECT_EQ(surface.area(), expected.area());
+    ASSERT_EQ(surface.number_of_adjacencies(), expected.number_of_adjacencies() + original.size());
+    for (std::size_t f = 0; f < n; ++f) {
+      EXPECT_TRUE(is_equal(surface.normal(f), expected.normal(f)));
+      EXPECT_EQ(corners_of(surface, f), corners_of(expected, f));
+    }
+    for (std::size_t i = 0; i < original.size(); ++i) {
+      const std::size_t a = expected.number_of_adjacencies() + i;
+      EXPECT_TRUE(surface.is_degenerate(n + i));
+      EXPECT_EQ(surface.area(n + i), 0);
+      EXPECT_EQ(surface.higher_face(a), n + i);
+      EXPECT_EQ(surface.lower_face(a), original[i]);
+      EXPECT_EQ(surface.flags(a), RS::Surface::JOINING);
+    }
+  });
 }
 
 // In a face graph, too, where a neighbor of the copy is adjacent to the first one then.
@@ -840,12 +787,7 @@ TEST(Doubled_faces_test, of_a_face_graph_are_as_of_polygons)
       soup.polygons.push_back(face == 2 ? Polygon{2, 1, 3} : Polygon{0, 1, 2});
     const RS::Surface surface = surface_with(order), expected = surface_of(soup);
     ASSERT_EQ(surface.number_of_adjacencies(), 2u);
-    ASSERT_EQ(expected.number_of_adjacencies(), 2u);
-    for (std::size_t a = 0; a < 2; ++a) {
-      EXPECT_EQ(surface.lower_face(a), expected.lower_face(a));
-      EXPECT_EQ(surface.higher_face(a), expected.higher_face(a));
-      EXPECT_EQ(surface.flags(a), expected.flags(a));
-    }
+    EXPECT_EQ(adjacencies_of(surface), adjacencies_of(expected));
   }
 }
 
@@ -939,13 +881,12 @@ TEST(Constraints_test, bar_the_edge_that_they_name_and_no_other_of_its_faces)
   const Soup soup = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
                      {{0, 1, 2, 3}, {1, 4, 5, 6, 3, 2}}};
   const Surface_mesh mesh = to_surface_mesh(soup);
-  const auto np = RS::internal::pack(RS::parameters::default_values());
-  RS::Surface of_mesh = RS::make_surface(mesh),
-              of_polygons = RS::make_surface_of_polygon_soup(soup.points, soup.polygons);
-  RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    of_mesh, edge_map(mesh, std::set<Edge>{make_edge(1, 2)}), np);
-  RS::internal::Polygon_input(2).add_constraints(of_polygons,
-                                                 std::vector<std::pair<int, int>>{{2, 1}}, np);
+  const RS::Surface of_mesh = RS::make_surface(mesh,
+                                               RS::parameters::edge_is_constrained_map(
+                                                 edge_map(mesh, std::set<Edge>{make_edge(1, 2)}))),
+                    of_polygons = RS::make_surface_of_polygon_soup(
+                      soup.points, soup.polygons,
+                      RS::parameters::constrained_edges(std::vector<std::pair<int, int>>{{2, 1}}));
   for (const RS::Surface* surface : {&of_mesh, &of_polygons}) {
     ASSERT_EQ(surface->number_of_adjacencies(), 2u);
     EXPECT_EQ(surface->squared_length(0), surface->squared_length(1));
@@ -959,16 +900,11 @@ TEST(Coinciding_borders_test, are_constrained_with_one_of_them)
 {
   const Soup soup = joined(grid(3, 4), translated(grid(2, 4), 3, 0, 0));
   const Surface_mesh mesh = to_surface_mesh(soup);
-  RS::Surface surface = RS::make_surface(mesh);
   // Of the first sheet at x = 3, from y = 1 to 2; of the second one from y = 2 to 3.
   const std::set<Edge> constrained = {make_edge(4 + 3, 8 + 3), make_edge(20 + 6, 20 + 9)};
-  RS::internal::Face_graph_input<Surface_mesh>(mesh).add_constraints(
-    surface, edge_map(mesh, constrained), RS::internal::pack(RS::parameters::default_values()));
-  std::set<std::pair<std::size_t, std::size_t>> found;
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
-    if (surface.has_flag(a, RS::Surface::CONSTRAINED))
-      found.insert({surface.lower_face(a), surface.higher_face(a)});
-  EXPECT_EQ(found, (std::set<std::pair<std::size_t, std::size_t>>{{5, 14}, {8, 16}}));
+  const RS::Surface surface = RS::make_surface(
+    mesh, RS::parameters::edge_is_constrained_map(edge_map(mesh, constrained)));
+  EXPECT_EQ(pairs_with_flags(surface, RS::Surface::CONSTRAINED), (Pairs{{5, 14}, {8, 16}}));
 }
 
 } // namespace Surface_test

@@ -64,12 +64,14 @@ struct Solids
 };
 
 /// Closes the segments of a mesh, and checks what is right for all meshes.
-template <typename Mesh, typename Solid_mesh = Mesh>
-Solids close(const Soup& soup, const Labels& labels)
+template <typename Mesh, typename Solid_mesh = Mesh,
+          typename Parameters = RS::parameters::Default_named_parameters>
+Solids close(const Soup& soup, const Labels& labels,
+             const Parameters& np = RS::parameters::default_values())
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
   std::vector<RS::Segment_piece<Solid_mesh, Mesh, std::size_t>> solids;
-  RS::close_segments<Solid_mesh>(mesh, face_labels(mesh, labels), std::back_inserter(solids));
+  RS::close_segments<Solid_mesh>(mesh, face_labels(mesh, labels), std::back_inserter(solids), np);
   std::map<typename boost::graph_traits<Mesh>::face_descriptor, std::size_t> rank;
   for (auto f : faces(mesh))
     rank.emplace(f, rank.size());
@@ -118,19 +120,6 @@ void expect_fitting(const Soup& soup, const Solids& solids)
   EXPECT_NEAR(solids.sum_of_volumes(), volume(soup), 1e-9 * std::abs(volume(soup)));
 }
 
-/// Of a block of 2 x 2 x 2 voxels.
-Labels halves_along_x(const Soup& soup)
-{
-  Labels labels;
-  for (const Polygon& polygon : soup.polygons) {
-    double x = 0;
-    for (std::size_t v : polygon)
-      x += soup.points[v][0] / 4;
-    labels.push_back(x < 1);
-  }
-  return labels;
-}
-
 Labels thirds_around_z(const Soup& soup)
 {
   Labels labels;
@@ -147,8 +136,8 @@ Labels thirds_around_z(const Soup& soup)
 
 TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
 {
-  const Soup soup = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
-  const Labels labels = halves_along_x(soup);
+  const Soup soup = block(2, 2, 2);
+  const Labels labels = labels_along(0, soup, {1});
   const Solids solids = close<Surface_mesh>(soup, labels);
   expect_fitting(soup, solids);
   EXPECT_EQ(solids.segments_of_cap.size(), 16u); // 8 sides of the square, from both
@@ -161,24 +150,14 @@ TEST(Close_segments_test, halves_of_a_cube_share_a_flat_cap)
 
 std::vector<Soup> solids_with_clearance(const Soup& soup, const Labels& labels, double clearance)
 {
-  const Surface_mesh mesh = to_mesh<Surface_mesh>(soup);
-  std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> solids;
-  RS::close_segments(mesh, face_labels(mesh, labels), std::back_inserter(solids),
-                     RS::parameters::clearance(clearance));
-  std::vector<Soup> result;
-  for (const auto& solid : solids) {
-    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(solid.mesh));
-    EXPECT_TRUE(CGAL::is_closed(solid.mesh));
-    result.push_back(soup_of(solid.mesh));
-  }
-  return result;
+  return close<Surface_mesh>(soup, labels, RS::parameters::clearance(clearance)).soups;
 }
 
 /// Two boxes of 2 x 2 x .9 in place of 1, at any angle and scale; the outer sides stay.
 TEST(Close_segments_test, halves_of_a_cube_with_clearance_are_so_far_apart)
 {
-  const Soup cube = voxel_surface(voxel_block({0, 0, 0}, {2, 2, 2}));
-  const Labels labels = halves_along_x(cube);
+  const Soup cube = block(2, 2, 2);
+  const Labels labels = labels_along(0, cube, {1});
   for (double scale : {1e-3, 1.0, 1e3}) {
     Soup soup = cube;
     for (Point& p : soup.points)
@@ -211,9 +190,7 @@ TEST(Close_segments_test, pyramids_with_clearance_are_smaller)
 
 TEST(Close_segments_test, clearance_of_huge_coordinates_and_of_open_meshes)
 {
-  Soup soup = cube();
-  for (Point& p : soup.points)
-    p = {1e250 * p[0], 1e250 * p[1], 1e250 * p[2]};
+  const Soup soup = scaled(cube(), 1e250);
   for (const Soup& solid : solids_with_clearance(soup, {0, 0, 0, 1, 1, 1}, 1e248))
     for (const Point& p : solid.points)
       EXPECT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
@@ -238,21 +215,18 @@ TEST(Close_segments_test, three_segments_share_an_inner_curve)
 TEST(Close_segments_test, random_segments_fit)
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      Labels labels = random_labels(soup, 2 + seed, seed);
-      const Solids solids = close<Surface_mesh>(soup, labels);
-      const Solids others = close<Polyhedron, Surface_mesh>(soup, labels);
-      EXPECT_EQ(solids.segments_of_cap, others.segments_of_cap);
-      if (!CGAL::is_closed(to_surface_mesh(soup)))
-        continue;
-      const Soup triangles = triangulated(soup); // whose volume is defined
-      labels = random_labels(triangles, 2 + seed, seed);
-      std::replace(labels.begin(), labels.end(), std::size_t(-1), std::size_t(0));
-      expect_fitting(triangles, close<Surface_mesh>(triangles, labels));
-    }
+  for_each_random_mesh(all_families, 5, [&](const Soup& soup, unsigned seed) {
+    Labels labels = random_labels(soup, 2 + seed, seed);
+    const Solids solids = close<Surface_mesh>(soup, labels);
+    const Solids others = close<Polyhedron, Surface_mesh>(soup, labels);
+    EXPECT_EQ(solids.segments_of_cap, others.segments_of_cap);
+    if (!CGAL::is_closed(to_surface_mesh(soup)))
+      return;
+    const Soup triangles = triangulated(soup); // whose volume is defined
+    labels = random_labels(triangles, 2 + seed, seed);
+    std::replace(labels.begin(), labels.end(), std::size_t(-1), std::size_t(0));
+    expect_fitting(triangles, close<Surface_mesh>(triangles, labels));
+  });
 }
 
 TEST(Close_segments_test, the_border_of_an_open_mesh_is_closed)
@@ -270,15 +244,13 @@ TEST(Real_meshes_close_segments, bands_of_real_meshes_fit)
     if (!CGAL::is_closed(mesh))
       return false;
     const Soup soup = triangulated(soup_of(mesh));
-    Labels labels; // four bands along x
     double low = 1e300, high = -1e300;
     for (const Point& p : soup.points) {
       low = (std::min)(low, p[0]);
       high = (std::max)(high, p[0]);
     }
-    for (const Polygon& polygon : soup.polygons)
-      labels.push_back((std::min)(
-        std::size_t(4 * (soup.points[polygon[0]][0] - low) / (high - low)), std::size_t(3)));
+    const double band = (high - low) / 4;
+    const Labels labels = labels_along(0, soup, {low + band, low + 2 * band, low + 3 * band});
     expect_fitting(soup, close<Surface_mesh>(soup, labels));
     return true;
   });

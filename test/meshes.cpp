@@ -69,25 +69,6 @@ Soup polygon_sheet(std::size_t nx, std::size_t ny, std::mt19937& random)
   return soup;
 }
 
-Soup random_blocks(std::mt19937& random)
-{
-  while (true) {
-    std::set<Voxel> voxels;
-    Voxel corner = {0, 0, 0};
-    for (int i = 0; i < 4; ++i) {
-      const Voxel size = {1 + int(below(3, random)), 1 + int(below(3, random)),
-                          1 + int(below(2, random))};
-      for (const Voxel& v :
-           voxel_block(corner, {corner[0] + size[0], corner[1] + size[1], corner[2] + size[2]}))
-        voxels.insert(v);
-      corner = *std::next(voxels.begin(), std::ptrdiff_t(below(voxels.size(), random)));
-    }
-    const Soup soup = voxel_surface({voxels.begin(), voxels.end()});
-    if (is_manifold(soup) && soup.polygons.size() >= 40)
-      return soup;
-  }
-}
-
 } // namespace
 
 Soup grid(std::size_t nx, std::size_t ny)
@@ -393,6 +374,25 @@ void flatten_some(Soup& soup, std::size_t count, std::mt19937& random)
 bool is_manifold(const Soup& soup)
 {
   return CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons);
+}
+
+Soup random_blocks(std::mt19937& random)
+{
+  while (true) {
+    std::set<Voxel> voxels;
+    Voxel corner = {0, 0, 0};
+    for (int i = 0; i < 4; ++i) {
+      const Voxel size = {1 + int(below(3, random)), 1 + int(below(3, random)),
+                          1 + int(below(2, random))};
+      for (const Voxel& v :
+           voxel_block(corner, {corner[0] + size[0], corner[1] + size[1], corner[2] + size[2]}))
+        voxels.insert(v);
+      corner = *std::next(voxels.begin(), std::ptrdiff_t(below(voxels.size(), random)));
+    }
+    const Soup soup = voxel_surface({voxels.begin(), voxels.end()});
+    if (is_manifold(soup) && soup.polygons.size() >= 40)
+      return soup;
+  }
 }
 
 std::string name(Family family)

@@ -154,6 +154,9 @@ std::string name(Family family);
 bool has_degenerate_faces(Family family);
 std::ostream& operator<<(std::ostream& out, Family family);
 
+/// The surface of boxes that are glued at random, in at least 40 unit squares.
+Soup random_blocks(std::mt19937& random);
+
 /// 50 to 400 faces in shuffled order; the same for the same seed. Coordinates are multiples of
 /// 2^-16 below 2^7, but for caps.
 Soup random_mesh(Family family, unsigned seed);

@@ -86,30 +86,11 @@ void check_borders(const Soup& soup, const Labels& labels)
   EXPECT_EQ(covered, edges_between(soup, labels));
 }
 
-TEST(Mark_segment_borders_test, marks_the_edges_between_labels)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const Labels labels = random_labels(soup, 5, seed);
-      const Surface_mesh mesh = to_surface_mesh(soup);
-      auto marks = edge_map(mesh, std::uint8_t(1)); // stale
-      const std::set<Edge> expected = edges_between(soup, labels);
-      EXPECT_EQ(RS::mark_segment_borders(mesh, face_labels(mesh, labels), marks), expected.size());
-      for (const auto& [edge, is_marked] : flags_of(mesh, marks))
-        EXPECT_EQ(is_marked, expected.count(edge) == 1);
-    }
-}
-
 TEST(Extract_segment_borders_test, covers_every_edge_once_from_junction_to_junction)
 {
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 6; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      check_borders(soup, random_labels(soup, 2 + seed, seed));
-    }
+  for_each_random_mesh(all_families, 6, [&](const Soup& soup, unsigned seed) {
+    check_borders(soup, random_labels(soup, 2 + seed, seed));
+  });
 }
 
 TEST(Extract_segment_borders_test, faces_without_a_segment_are_across)

@@ -287,16 +287,6 @@ TEST_P(Two_step_properties_test, renumbering_renames)
   });
 }
 
-TEST_P(Properties_test, the_first_corner_of_a_face_changes_no_bit)
-{
-  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
-    Soup rotated = soup;
-    for (Polygon& p : rotated.polygons)
-      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(random() % p.size()), p.end());
-    expect_same(run(rotated, options), run(soup, options));
-  });
-}
-
 TEST_P(Closed_surfaces_test, inside_out_have_the_same_labels)
 {
   for_each_mesh(4, [](const Soup& soup, const Options& options, std::mt19937&) {

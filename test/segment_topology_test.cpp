@@ -71,26 +71,6 @@ TEST(Compute_segment_topology_test, knows_the_usual_surfaces)
   EXPECT_EQ(sheet[0].euler_characteristic, -3);
 }
 
-TEST(Compute_segment_topology_test, counts_as_brute_force_does)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 6; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      const Labels labels = random_labels(soup, 2 + seed, seed);
-      auto expected = count_segments(soup, labels);
-      for (const Topology& topology : topologies_of(soup, labels)) {
-        ASSERT_TRUE(expected.count(topology.segment));
-        const Segment_counts counts = expected[topology.segment];
-        expected.erase(topology.segment);
-        EXPECT_EQ(topology.euler_characteristic, counts.euler_characteristic());
-        EXPECT_EQ(topology.number_of_border_loops, counts.loops);
-        EXPECT_EQ(topology.number_of_components, counts.components);
-      }
-      EXPECT_TRUE(expected.empty());
-    }
-}
-
 /// Marks the edges that a spanning tree of the faces of each segment does not cross.
 template <typename Mesh, typename EdgeMap>
 void mark_all_but_trees(const Mesh& mesh, const Soup& soup, const Labels& labels, EdgeMap is_cut)
@@ -141,13 +121,10 @@ TEST(Split_into_segments_test, pieces_are_cut_open_along_marked_edges)
   expect_pieces_are_discs<Surface_mesh>(grid(9, 9), holes(9, 9));
   expect_pieces_are_discs<Surface_mesh>(triangulated(cube()), Labels(12, 0));
   expect_pieces_are_discs<Surface_mesh>(Soup(), {});
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      const Soup soup = random_mesh(family, seed);
-      expect_pieces_are_discs<Surface_mesh>(soup, random_labels(soup, 1 + seed, seed));
-      expect_pieces_are_discs<CGAL::Polyhedron_3<Kernel>>(soup, Labels(soup.polygons.size(), 0));
-    }
+  for_each_random_mesh(all_families, 4, [&](const Soup& soup, unsigned seed) {
+    expect_pieces_are_discs<Surface_mesh>(soup, random_labels(soup, 1 + seed, seed));
+    expect_pieces_are_discs<CGAL::Polyhedron_3<Kernel>>(soup, Labels(soup.polygons.size(), 0));
+  });
 }
 
 } // namespace segment_topology_test
