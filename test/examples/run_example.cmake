@@ -1,4 +1,4 @@
-# cmake -D PROGRAM=FILE -D EXAMPLE=NAME [-D SAYS=REGEX] [-D MESH=NAME] -P run_example.cmake: runs the example of the program, on
+# cmake -D PROGRAM=FILE -D EXAMPLE=NAME [-D SAYS=REGEX] [-D MESH=NAME] -P run_example.cmake: runs the program of an example, on
 # a mesh of CGAL's demos if one is named, in a folder of its own. It must write NAME.* there, and say what matches the
 # expression; numbers in its groups must be equal.
 cmake_minimum_required(VERSION 3.18)
@@ -14,7 +14,7 @@ endif()
 set(folder written/${EXAMPLE}${MESH})
 file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
-execute_process(COMMAND ${PROGRAM} ${EXAMPLE} ${mesh} WORKING_DIRECTORY ${folder}
+execute_process(COMMAND ${PROGRAM} ${mesh} WORKING_DIRECTORY ${folder}
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
 message("${output}${errors}")
 file(GLOB files ${folder}/${EXAMPLE}.*)
