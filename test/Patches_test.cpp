@@ -66,6 +66,17 @@ Labels coarse_labels_of(const Surface_patches& patches)
   return labels_of(composed(patches.fine.of_elements(), patches.coarse.of_elements()));
 }
 
+TEST(Patches_test, another_round_follows_one_that_joined_one_of_32)
+{
+  // In a row of four squares the first round makes two pairs, the second one joins these.
+  const auto patches_of_row = [](std::size_t number_of_others) {
+    const Soup others = translated(scaled(grid(number_of_others, 1), 300), 100, 0, 0);
+    return patches_of(unlinked(joined(grid(4, 1), others))).fine.size() - number_of_others;
+  };
+  EXPECT_EQ(patches_of_row(60), 1u); // 2 of 64
+  EXPECT_EQ(patches_of_row(92), 2u); // 2 of 96
+}
+
 using Lengths = std::map<std::pair<std::size_t, std::size_t>, double>;
 
 template <typename Adjacencies>

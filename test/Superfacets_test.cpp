@@ -11,10 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <random>
-#include <set>
+#include <string>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -106,54 +104,6 @@ TEST(Superfacets_test, regions_of_slivers_are_connected)
     const RS::Partition regions = superfacets_of(surface_of_soup(soup), superfacets);
     EXPECT_TRUE(is_connected(soup, labels_of(regions)));
   }
-}
-
-// Two arms of a face that are equally long, but for one unit in the last place of a sum: two faces
-// of one of them, folded onto each other, have nearly one centroid. With the step to a third arm
-// both sums are rounded to the same number, so that it does not show that the second seed is nearer
-// to this arm, too. It belongs to the same region as the face that it hangs on.
-TEST(Superfacets_test,
-     a_patch_follows_the_one_it_was_reached_through_although_rounding_hides_that_it_is_nearer)
-{
-  constexpr double s = 1. / 64, h = s / 2, fold = 3.3e-16;
-  Soup soup;
-  const auto add = [&](const std::vector<Point>& points) {
-    Polygon polygon;
-    for (const Point& p : points) {
-      polygon.push_back(
-        std::size_t(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin()));
-      if (polygon.back() == soup.points.size())
-        soup.points.push_back(p);
-    }
-    soup.polygons.push_back(polygon);
-  };
-  add({{-3 * s, h, fold}, {-3 * s, -h, fold}, {s, -h, fold}, {s, h, fold}}); // the end of the first
-                                                                             // arm
-  add({{s, h, fold}, {s, -h, fold}, {0, -h, 0}, {0, h, 0}});
-  add({{0, h, 0}, {0, -h, 0}, {s, -h, 0}, {s, h, 0}});
-  add({{s, h, 0},
-       {s, -h, 0},
-       {0.5, -0.5, 0},
-       {1.5, -0.5, 0},
-       {2 - s, -h, 0},
-       {2 - s, h, 0},
-       {1.5, 0.5, 0},
-       {0.5, 0.5, 0}});
-  add({{2 - s, h, 0}, {2 - s, -h, 0}, {2, -h, 0}, {2, h, 0}});
-  add({{2, h, 0}, {2, -h, 0}, {2 + 2 * s, -h, 0}, {2 + 2 * s, h, 0}}); // the end of the second arm
-  add({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2, 1, 0}, {1, 1, 0}});           // the third arm
-  // Points at borders that are apart by rounding are not merged.
-  const RS::Surface mesh = surface_of_soup(soup, false);
-  const RS::Patches patches = patches_of(mesh).fine;
-  ASSERT_EQ(patches.size(), soup.polygons.size());
-
-  const auto step = [&](std::size_t f, std::size_t g) {
-    return double(float(norm(patches[f].centroid - patches[g].centroid) / mesh.length_unit()));
-  };
-  const double first = step(0, 1) + step(1, 2) + step(2, 3), second = step(5, 4) + step(4, 3);
-  ASSERT_LT(second, first);
-  ASSERT_EQ(second + step(3, 6), first + step(3, 6));
-  EXPECT_EQ(labels_of(superfacets_of(mesh, RS::Superfacets(2, 0))), (Labels{0, 0, 0, 1, 1, 1, 1}));
 }
 
 // The area of the surface is that of one tiny face, so that steps between the others are longer

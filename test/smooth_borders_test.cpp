@@ -248,6 +248,20 @@ TEST(Smooth_borders_test, faces_beyond_the_band_stay)
   EXPECT_EQ(smoothed(grid(16, 8), labels, RS::Minimum_cut_borders{1, 0}), labels);
 }
 
+// The middle of a tooth is one step from the faces beside the border.
+TEST(Smooth_borders_test, the_band_ends_with_its_width)
+{
+  Labels labels; // a tooth of 3 x 3 squares, each exactly 1/16 wide
+  for (std::size_t f = 0; f < 256; ++f)
+    labels.push_back(f % 32 < 16 || (f % 32 < 19 && f / 32 >= 3 && f / 32 < 6) ? 0 : 1);
+  const auto length_within = [&](double width) {
+    return border_length(grid(32, 8),
+                         smoothed(grid(32, 8), labels, RS::Minimum_cut_borders{width, 1}));
+  };
+  EXPECT_EQ(length_within(0.99 / 16), 14);
+  EXPECT_LT(length_within(1. / 16), 14);
+}
+
 TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
 {
   // The teeth are constrained in the lower half of the sheet.
