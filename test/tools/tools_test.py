@@ -191,6 +191,17 @@ class Tools_test(unittest.TestCase):
                                                     ["8", "2", "m", "7", "", ""]])
         self.assertEqual(cells(markdown, "reading"), [["40", ""]])
 
+    def test_speed_is_measured_of_every_subject(self):
+        if not (programs / "speed_benchmark").exists():
+            self.skipTest("speed_benchmark is not built: see test/tools/build.sh")
+        text = self.run_program("speed_benchmark", "--shapes", "torus", "--sizes", "2000",
+                                "--rounds", "1", "--threads", "2").stdout
+        lines = cells(self.tables_of(text), "torus")
+        self.assertEqual(len(lines), 16)
+        for line in lines:
+            self.assertGreater(int(line[3]), 0, line)
+        self.assertEqual({line[2] for line in lines if line[1] == "2"}, {"learned", "two-step"})
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The parts of the benchmark that do not measure: its meshes, medians, the count of bytes, the
-// table.
+// The meshes that speed is measured on, and the count of bytes.
 
-#include "Measurement.h"
-#include "Table.h"
 #include "allocated_bytes.h"
 #include "make_triangles.h"
 
@@ -15,7 +12,6 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -129,13 +125,6 @@ TEST(Read_triangles, names_a_file_that_is_not_right)
   }
 }
 
-TEST(Median, is_in_the_middle)
-{
-  EXPECT_EQ(median({7}), 7);
-  EXPECT_EQ(median({9, 1, 2}), 2);
-  EXPECT_EQ(median({4, 1, 100, 2}), 3);
-}
-
 TEST(Peak_of_allocated_bytes, is_that_of_what_is_held_at_once)
 {
   std::vector<char> before(1 << 16);
@@ -149,62 +138,6 @@ TEST(Peak_of_allocated_bytes, is_that_of_what_is_held_at_once)
   EXPECT_GE(peak, 500000u);
   EXPECT_LE(peak, 500000u + 2 * 4096); // malloc rounds large blocks up to pages
   EXPECT_EQ(peak_of_allocated_bytes([] {}), 0u);
-}
-
-/// A contest in which nothing takes time: what the clocks say is made up.
-TEST(Measure, takes_ratios_in_each_round)
-{
-  double n = 0;
-  Contest contest;
-  contest.floor = [&] { return ++n; }; // every round is slower than the one before
-  contest.subject = [&] {
-    Stage_seconds s;
-    s.of_stage = {n, n, n, n, 0};
-    s.number_of_regions = 5;
-    return s;
-  };
-  contest.reference = [&] { return 2 * n; };
-  contest.compared_until = Stage::REGIONS;
-  const Measurement m = measure(contest, 0);
-  EXPECT_EQ(m.rounds, 3u);
-  EXPECT_EQ(m.number_of_regions, 5u);
-  EXPECT_EQ(m.floor_seconds, 3); // of 2, 3, 4; the first was not timed
-  EXPECT_EQ(m.seconds, 12);
-  EXPECT_EQ(m.regions_by_floor, 3);
-  EXPECT_EQ(m.whole_by_floor, 4);
-  EXPECT_EQ(m.by_reference, 1);
-  EXPECT_FALSE(m.gain_of_floor);
-}
-
-std::string content_of(const std::string& file)
-{
-  std::ostringstream content;
-  content << std::ifstream(file).rdbuf();
-  return content.str();
-}
-
-TEST(Table, has_the_same_lines_as_csv_and_markdown)
-{
-  const Case c{
-    {Shape::NOISY, 1000, Mesh_type::OPENMESH}, "two-step, k = 9", 2, false, {}, {}, "learned"};
-  Measurement m;
-  m.rounds = 3;
-  m.seconds = 0.00012345;
-  m.peak_bytes = 64000;
-  const std::string stem = testing::TempDir() + "benchmark_parts_test";
-  Table table(stem, {{"compiler", "some"}});
-  table.add_line(c, numbers(c, 1000, m));
-  table.write({{"memory", "much"}});
-  const std::string csv = content_of(stem + ".csv"), markdown = content_of(stem + ".md");
-  EXPECT_EQ(
-    csv.rfind("# compiler: some\n# memory: much\nmesh,type,threads,what,reference,faces,", 0), 0u);
-  EXPECT_NE(csv.find("\nnoisy,OpenMesh,2,\"two-step, k = 9\",learned,1000,0,0,0,0,0,0,123,64,"),
-            std::string::npos);
-  EXPECT_EQ(markdown.rfind("- compiler: some\n- memory: much\n\n| mesh | type |", 0), 0u);
-  EXPECT_NE(markdown.find("\n| noisy | OpenMesh | 2 | two-step, k = 9 | learned | 1000 |"),
-            std::string::npos);
-  for (const char* ending : {".csv", ".md"})
-    std::filesystem::remove(stem + ending);
 }
 
 } // namespace

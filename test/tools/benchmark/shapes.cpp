@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Mesh_store.h"
+#include "shapes.h"
 
 #include "make_triangles.h"
-#include "subdivided_by_loop.h"
+
+#include <CGAL/subdivision_method_3.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace speed_benchmark {
 
@@ -69,54 +72,48 @@ Triangles make_torus(std::size_t faces)
   return triangles;
 }
 
+/// Splits every triangle into four by Loop's scheme, which smooths creases away. Faces are in the
+/// order of `CGAL::Subdivision_method_3`: the four are not side by side.
+Triangles subdivided_by_loop(const Triangles& coarse)
+{
+  Surface_mesh mesh = make_surface_mesh(coarse);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+  Triangles result;
+  for (const auto v : mesh.vertices())
+    result.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    result.corners.push_back({std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)),
+                              std::uint32_t(mesh.target(mesh.next(h)))});
+  }
+  return result;
+}
+
 } // namespace
 
-Triangles Mesh_store::make_triangles(const Mesh_wanted& mesh) const
+Surface_mesh make_surface_mesh(const Triangles& triangles)
 {
-  if (mesh.shape == Shape::TORUS)
-    return make_torus(mesh.faces);
-  if (mesh.shape == Shape::LOOP)
-    return make_subdivided(m_folder, mesh.faces, subdivided_by_loop);
-  Triangles triangles = make_subdivided(m_folder, mesh.faces, subdivided);
-  if (mesh.shape == Shape::NOISY)
+  Surface_mesh mesh;
+  mesh.reserve(triangles.points.size(), triangles.corners.size() * 3 / 2, triangles.corners.size());
+  for (const Triangles::Point& p : triangles.points)
+    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  using Vertex = Surface_mesh::Vertex_index;
+  for (const Triangles::Corners& t : triangles.corners)
+    if (mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Surface_mesh::null_face())
+      throw std::runtime_error("the triangles are no manifold");
+  return mesh;
+}
+
+Triangles make_shape(const std::string& shape, std::size_t faces, const std::string& folder)
+{
+  if (shape == "torus")
+    return make_torus(faces);
+  if (shape == "loop")
+    return make_subdivided(folder, faces, subdivided_by_loop);
+  Triangles triangles = make_subdivided(folder, faces, subdivided);
+  if (shape == "noisy")
     return roughened(std::move(triangles), amplitude_of_noise);
-  return mesh.shape == Shape::SHUFFLED ? shuffled(triangles) : triangles;
-}
-
-void Mesh_store::make_surface_mesh(const Mesh_wanted& mesh)
-{
-  m_other.reset();
-  m_sums.reset();
-  m_surface_mesh.reset();
-  m_triangles = make_triangles(mesh);
-  m_surface_mesh = make_surface_mesh_subject(m_triangles);
-  m_mesh = mesh;
-  if (mesh.shape == Shape::TORUS)
-    m_triangles = {}; // the largest mesh, and in one type alone
-}
-
-std::optional<Subjects> Mesh_store::get(const Mesh_wanted& mesh)
-{
-  if (!m_surface_mesh || !mesh.has_same_triangles(m_mesh))
-    make_surface_mesh(mesh);
-  if (mesh.type == Mesh_type::SURFACE_MESH)
-    return Subjects{*m_surface_mesh, *m_surface_mesh};
-  if (!m_other || mesh.type != m_type_of_other) {
-    m_other.reset();
-    m_other = mesh.type == Mesh_type::POLYHEDRON ? make_polyhedron_subject(m_triangles)
-                                                 : make_openmesh_subject(m_triangles);
-    m_type_of_other = mesh.type;
-  }
-  if (!m_other)
-    return std::nullopt;
-  return Subjects{*m_other, *m_surface_mesh};
-}
-
-const Sums& Mesh_store::sums()
-{
-  if (!m_sums)
-    m_sums = std::make_unique<Sums>(m_surface_mesh->number_of_faces());
-  return *m_sums;
+  return shape == "shuffled" ? shuffled(triangles) : triangles;
 }
 
 } // namespace speed_benchmark
