@@ -326,6 +326,7 @@ class Library:
 
 class Program(Library):
     folder = "examples/segment_mesh"
+    transcripts = "^transcript\\."
 
     def __init__(self, work, jobs):
         self.work, self.jobs, self.program = work, jobs, work / "build/bin/program_test"
@@ -335,9 +336,20 @@ class Program(Library):
         subprocess.run(["cmake", "-S", self.work / "copy", "-B", self.work / "build", "-DCMAKE_BUILD_TYPE=None",
                         "-DREGION_SEGMENTATION_BUILD_EXAMPLES=OFF", "-DCMAKE_CXX_FLAGS=" + flags],
                        check=True, stdout=subprocess.DEVNULL)
-        result = subprocess.run(["cmake", "--build", self.work / "build", "-j", str(self.jobs), "--target", "program_test", "--",
-                                 "-k"], capture_output=True, text=True)
+        result = subprocess.run(["cmake", "--build", self.work / "build", "-j", str(self.jobs), "--target", "program_test",
+                                 "segment_mesh", "--", "-k"], capture_output=True, text=True)
         return [result.stderr] if result.returncode else []
+
+    def run(self, number, tests, seconds):
+        if tests != self.transcripts:
+            return super().run(number, tests, seconds)
+        return run(["ctest", "--test-dir", self.work / "build", "--stop-on-failure", "-R", tests], self.work, number, seconds,
+                   r"Test +#\d+: (\S+) .*\*\*\*")
+
+    def groups(self):
+        if self.run(0, self.transcripts, 3600)[1]:
+            sys.exit("the transcripts differ without a mutant")
+        return [*super().groups(), (self.transcripts, 600)]
 
 
 class Python(Library):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""generated_meshes_test.py PROGRAM UNITE_MESHES: meshes as generators and unions leave them, which are not manifold, not
+"""generated_meshes_test.py PROGRAM: meshes as generators leave them, which are not manifold, not
 connected, or not closed, through the methods and outputs of segment_mesh. Each has a label for each face, and as many groups, parts
-and solids as segments; most of what is one part by construction has one label. UNITE_MESHES is the program of unite_meshes.cpp."""
+and solids as segments; most of what is one part by construction has one label."""
 
 import pathlib
 import re
@@ -12,7 +12,7 @@ import zipfile
 
 import numpy
 
-from outputs_test import area, fan, meshes_of_glb, skip
+from helpers import area, fan, meshes_of_glb, skip, write_off
 
 # Of a dumbbell: a ball at each end of the x axis, joined by a stick.
 BALLS, RADIUS, STICK = numpy.array([[-2, 0, 0], [2, 0, 0]]), 1, 0.35
@@ -76,12 +76,6 @@ def by_place(mesh):
     return part_of_dumbbell(numpy.array([mesh[0][face].mean(axis=0) for face in mesh[1]]))
 
 
-def write_off(file, mesh):
-    points, faces = mesh
-    lines = ["OFF", f"{len(points)} {len(faces)} 0", *("%.17g %.17g %.17g" % tuple(p) for p in points)]
-    file.write_text("\n".join(lines + [" ".join(map(str, [len(face), *face])) for face in faces]) + "\n")
-
-
 def isosurface(field, spacing, origin):
     """Of the value 0, below which it is inside: by marching cubes."""
     try:
@@ -132,22 +126,12 @@ def voxels(inside, size):
     return (numpy.array(list(index)) - numpy.array(inside.shape) / 2) * size, faces
 
 
-def make_meshes(folder, unite):
+def make_meshes():
     """The meshes by name; of each the part of each face, -1 where it does not matter, and the options by which parts are found."""
     random = numpy.random.default_rng(7)
     dumbbell = join(*bodies())
     body = indices(bodies())
     yield "bodies that overlap", dumbbell, body, ["-k", "3"]
-
-    names = [folder / f"body_{i}.off" for i in range(3)]
-    for name, (points, faces) in zip(names, bodies()):
-        write_off(name, (points, [t for face in faces for t in ([face[0], face[i], face[i + 1]] for i in range(1, len(face) - 1))]))
-    subprocess.run([unite, folder / "union.off", *names], check=True)
-    numbers = (folder / "union.off").read_text().split()
-    n, m = int(numbers[1]), int(numbers[2])
-    points = numpy.array(numbers[4:4 + 3 * n], dtype=float).reshape(-1, 3)
-    mesh = points, numpy.array(numbers[4 + 3 * n:], dtype=int).reshape(m, 4)[:, 1:].tolist()
-    yield "union", mesh, by_place(mesh), ["-k", "3"]
 
     # Without a number, since each fragment that floats counts as a part.
     n = 12
@@ -212,7 +196,7 @@ def check(program, folder, mesh, parts, options):
         assert numpy.array_equal(numpy.unique(labels), numpy.arange(labels.max() + 1))
         return labels
 
-    write_off(folder / "a.off", mesh)
+    write_off(folder / "a.off", *mesh)
     endings = "obj", "glb", "stl", "3mf"
     outputs = [word for ending in endings for word in ("-o", f"a.{ending}")]
     for method in [], ["--method", "smooth-faces"]:
@@ -233,9 +217,9 @@ def check(program, folder, mesh, parts, options):
     assert len(set(best)) == len(best), best
 
 
-def main(program, unite):
+def main(program):
     with tempfile.TemporaryDirectory() as name:
-        for title, mesh, parts, options in make_meshes(pathlib.Path(name), unite):
+        for title, mesh, parts, options in make_meshes():
             print(f"{title}: {len(mesh[1])} faces", flush=True)
             check(program, pathlib.Path(name), mesh, parts, options)
 

@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """outputs_test.py PROGRAM READER: what segment_mesh writes, read by another program: as many parts as segments, with the areas
 that they have by the .seg file and the mesh. READER is assimp, vtk, prusa-slicer, painted (by prusa-slicer) or step (by
-gmsh), of the Debian packages assimp-utils, python3-vtk9, prusa-slicer and python3-gmsh, or csv, Python's. Without it, or where the program was built without a
-format, the test is skipped."""
+gmsh), of the Debian packages assimp-utils, python3-vtk9, prusa-slicer and python3-gmsh, or tables, Python's. Without
+it, or where the program was built without a format, the test is skipped."""
 
-import csv
 import json
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,108 +15,7 @@ from xml.etree import ElementTree
 
 import numpy
 
-# A block of six rectangles.
-BLOCK = """OFF
-8 6 0
-0 0 0
-2 0 0
-2 1 0
-0 1 0
-0 0 3
-2 0 3
-2 1 3
-0 1 3
-4 0 3 2 1
-4 4 5 6 7
-4 0 1 5 4
-4 1 2 6 5
-4 2 3 7 6
-4 3 0 4 7
-"""
-
-
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(77)
-
-
-def area(triangles):
-    """Of an array of triangles, three points each."""
-    a, b, c = numpy.asarray(triangles, dtype=float).transpose(1, 0, 2)
-    return numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1).sum() / 2
-
-
-def fan(points, face):
-    return [[points[face[0]], points[face[i]], points[face[i + 1]]] for i in range(1, len(face) - 1)]
-
-
-class Case:
-    """A mesh that segment_mesh segments and writes."""
-
-    def __init__(self, program, folder, mesh, options):
-        self.folder, self.command = folder, [program, mesh, *options, "-q"]
-        self.write("mesh.off", "labels.seg")
-        numbers = (folder / "mesh.off").read_text().split("\n")
-        n = int(numbers[1].split()[0])
-        self.points = [tuple(map(float, line.split())) for line in numbers[2:2 + n]]
-        faces = [list(map(int, line.split())) for line in numbers[2 + n:] if line]
-        self.faces = [face[1:face[0] + 1] for face in faces]
-        self.colors = [tuple(face[face[0] + 1:]) for face in faces]
-        self.labels = [int(word) for word in (folder / "labels.seg").read_text().split()]
-        self.areas = self.areas_by(self.points, self.faces, self.labels)
-        self.names = [f"segment_{i}" for i in range(len(self.areas))]
-        if "smooth-faces" in options:
-            self.names = self.names_of_faces()
-
-    def write(self, *names, options=()):
-        outputs = [word for name in names for word in ("-o", name)]
-        outcome = subprocess.run([*self.command, *outputs, *options], cwd=self.folder, capture_output=True, text=True)
-        if "built without" in outcome.stderr:
-            skip(outcome.stderr)
-        assert outcome.returncode == 0, outcome.stderr
-
-    def names_of_faces(self):
-        """By the role and the kind of surface that the table states."""
-        self.write("names.csv")
-        with open(self.folder / "names.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
-        kinds = [{"blend": "fillet", "hole": "hole", "boss": "boss"}.get(row["role"], row["primitive"]) for row in rows]
-        radii = ["_r%.4g" % float(row["radius"]) if kind in ("hole", "boss") and row["primitive"] == "cylinder" else ""
-                 for row, kind in zip(rows, kinds)]
-        return [f"{kind}_{i}{radius}" for i, (kind, radius) in enumerate(zip(kinds, radii))]
-
-    @staticmethod
-    def areas_by(points, faces, keys):
-        """Of the faces of each key, in the order of keys."""
-        parts = {}
-        for face, key in zip(faces, keys, strict=True):
-            parts.setdefault(key, []).extend(fan(points, face))
-        return [area(parts[key]) for key in sorted(parts)]
-
-    def expect(self, areas):
-        numpy.testing.assert_allclose(areas, self.areas, rtol=1e-6)
-
-
-def meshes_of_glb(file):
-    """Name, triangles, and name of the material of each mesh of a binary glTF."""
-    data = file.read_bytes()
-    size = int.from_bytes(data[12:16], "little")
-    document, binary = json.loads(data[20:20 + size]), data[28 + size:]
-
-    def array(index):
-        accessor = document["accessors"][index]
-        view = document["bufferViews"][accessor["bufferView"]]
-        values = numpy.frombuffer(binary, {5126: "<f4", 5125: "<u4", 5123: "<u2"}[accessor["componentType"]],
-                                  accessor["count"] * {"VEC3": 3, "SCALAR": 1}[accessor["type"]],
-                                  view.get("byteOffset", 0) + accessor.get("byteOffset", 0))
-        return values.reshape(-1, 3) if accessor["type"] == "VEC3" else values
-
-    for node in document["nodes"]:
-        if "mesh" in node:
-            primitive, = document["meshes"][node["mesh"]]["primitives"]
-            corners = array(primitive["indices"])
-            attributes = {name: array(index)[corners].reshape(-1, 3, 3) for name, index in primitive["attributes"].items()}
-            yield node.get("name"), attributes, document["materials"][primitive.get("material", 0)]
+from helpers import BLOCK, EXAMPLES, Case, area, meshes_of_glb, need, rows_of, skip
 
 
 def check_assimp(case):
@@ -216,18 +113,17 @@ def check_slicer(case):
     assert run_slicer(case, "--info", "a.3mf").count("number_of_facets") == len(case.areas)
 
     case.write("a.stl", "a.3mf", "part_{segment}.stl", options=["--solids"])
-    volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
     for names in ["a.stl"], ["a.3mf"], [f"part_{i}.stl" for i in range(len(case.areas))]:
         info = "".join(run_slicer(case, "--info", name) for name in names)
         values = {name: re.findall(rf"^{name} = +(\S+)", info, re.MULTILINE)
                   for name in ("manifold", "number_of_parts", "volume")}
         assert set(values["manifold"]) == {"yes"}, info
         assert sum(map(int, values["number_of_parts"])) == len(case.areas), info
-        numpy.testing.assert_allclose(sum(map(float, values["volume"])), volume, rtol=1e-4)
+        numpy.testing.assert_allclose(sum(map(float, values["volume"])), case.volume, rtol=1e-4)
 
 
 def check_painted(case):
-    """The extruder of each triangle, as the slicer keeps it, and those of the lines that it prints on the surface."""
+    """The extruder of each triangle, as the slicer keeps it."""
     case.write("painted.3mf", options=["--painted"])
     run_slicer(case, "--export-3mf", "--dont-arrange", "--no-ensure-on-bed", "-o", "back.3mf", "painted.3mf")
     with zipfile.ZipFile(case.folder / "back.3mf") as archive:
@@ -245,48 +141,27 @@ def check_painted(case):
         labels = {label_of_side[side] for side in ((a, b), (b, c), (c, a)) if side in label_of_side}
         assert {label % 15 + 1 for label in labels} == {extruder}
 
-    # In a size of 60 mm. Outer lines near the surface are of the extruder of the nearest of many points on it, except where
-    # two meet.
-    low, high = points.min(axis=0), points.max(axis=0)
-    scale = 60 / (high - low).max()
-    options = {"nozzle-diameter": 0.4, "filament-diameter": 1.75, "temperature": 200, "first-layer-temperature": 200}
-    run_slicer(case, "--export-gcode", "--scale", str(scale), "--center", "0,0", "--skirts", "0", "-o", "painted.gcode",
-               *(f"--{name}={','.join([str(value)] * 15)}" for name, value in options.items()), "painted.3mf")
-    position, tool, used, outer, lines = numpy.zeros(3), 0, set(), False, []
-    for line in (case.folder / "painted.gcode").read_text().split("\n"):
-        if re.match(r"T\d", line):
-            tool = int(line[1:].split(" ")[0])
-        elif line.startswith(";TYPE:"):
-            outer = line == ";TYPE:External perimeter"
-        elif line.startswith("G1 "):
-            move = {word[0]: float(word[1:]) for word in line.split(";")[0].split()[1:]}
-            end = numpy.array([move.get(axis, before) for axis, before in zip("XYZ", position)])
-            if move.get("E", 0) > 0 and "X" in move:
-                used.add(tool)
-                if outer:
-                    lines.append((tool, *(position + end) / 2))
-            position = end
-    assert used == set(extruders - 1)
-    random = numpy.random.default_rng(1)
-    areas = [area([triangle]) for triangle in points[corners]]
-    chosen = random.choice(len(corners), 10000, p=areas / numpy.sum(areas))
-    on_surface = numpy.einsum("nc,ncx->nx", random.dirichlet((1, 1, 1), len(chosen)), points[corners[chosen]])
-    lines = random.choice(lines, 500)
-    origin = [*(low + high)[:2] / 2, low[2]]
-    distances = numpy.linalg.norm(on_surface[:, None] - (lines[:, 1:] / scale + origin), axis=2)
-    near = distances.min(axis=0) * scale < 1
-    agree = extruders[chosen[distances.argmin(axis=0)]] - 1 == lines[:, 0]
-    assert near.sum() > 100 and agree[near].mean() > 0.9, (near.sum(), agree[near].mean())
 
-
-def check_csv(case):
-    case.write("a.csv")
-    with open(case.folder / "a.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert [row["name"] for row in rows] == case.names
+def check_tables(case):
+    """The table says what the labels and the JSON file say."""
+    case.write("a.csv", "a.json")
+    rows, segments = rows_of(case.folder / "a.csv"), json.loads((case.folder / "a.json").read_text())["segments"]
     assert [row["segment"] for row in rows] == [str(i) for i in range(len(case.areas))]
     assert [int(row["faces"]) for row in rows] == list(numpy.bincount(case.labels))
     case.expect([float(row["area"]) for row in rows])
+    for row, segment in zip(rows, segments, strict=True):
+        surface = segment["primitive"]
+        expected = {**surface, **segment, "primitive": surface["type"], "smooth_neighbors": " ".join(
+            str(n["segment"]) for n in segment["neighbors"] if n.get("border") == "smooth"),
+            "neighbors": " ".join(str(n["segment"]) for n in segment["neighbors"])}
+        expected["lowest"], expected["highest"] = surface.get("extent", (None, None))
+        for name in "point", "direction", "centroid":
+            expected.update((f"{name}_{axis}", x) for axis, x in zip("xyz", expected.get(name) or ()))
+        expected.update((f"extent_{i + 1}", x) for i, x in enumerate(segment["extents"]))
+        for name in row.keys() - {"segment", "area_share"}:
+            value = expected.get(name)
+            value = "" if value is None else int(value) if isinstance(value, bool) else value
+            assert row[name] == value or float(row[name]) == float(value), (name, row[name], value)
 
 
 def check_step(case):
@@ -300,9 +175,8 @@ def check_step(case):
     gmsh.option.setNumber("General.Terminal", 0)
     (_, solid), = gmsh.model.occ.importShapes(str(case.folder / "a.step"))
     gmsh.model.occ.synchronize()
-    volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
     is_block = len(case.faces) == 6
-    numpy.testing.assert_allclose(gmsh.model.occ.getMass(3, solid), volume, rtol=1e-9 if is_block else 0.01)
+    numpy.testing.assert_allclose(gmsh.model.occ.getMass(3, solid), case.volume, rtol=1e-9 if is_block else 0.01)
     if is_block:
         faces = sorted(gmsh.model.occ.getMass(2, face) for _, face in gmsh.model.getEntities(2))
         numpy.testing.assert_allclose(faces, [2, 2, 3, 3, 6, 6], rtol=1e-9)
@@ -315,16 +189,16 @@ def check_step(case):
 
 
 def main(program, reader):
-    needed = "prusa-slicer" if reader == "painted" else reader
-    if needed in ("assimp", "prusa-slicer") and not shutil.which(needed):
-        skip(f"no {needed}")
+    need(*{"assimp": ["assimp"], "prusa-slicer": ["prusa-slicer"], "painted": ["prusa-slicer"]}.get(reader, []))
     check = {"assimp": check_assimp, "vtk": check_vtk, "prusa-slicer": check_slicer, "painted": check_painted,
-             "csv": check_csv, "step": check_step}[reader]
+             "tables": check_tables, "step": check_step}[reader]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "block.off").write_text(BLOCK)
         if reader == "painted":
             check(Case(program, folder, "--demo", ["-k", "20"])) # more segments than extruders
+        if reader == "tables":
+            check(Case(program, folder, EXAMPLES / "data/flange.off", ["--method", "smooth-faces"]))
         check(Case(program, folder, "--demo", []))
         check(Case(program, folder, "block.off", ["--method", "smooth-faces"]))
         check(Case(program, folder, "block.off", ["-k", "2"])) # sharp edges inside segments

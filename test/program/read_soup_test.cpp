@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The readers against CGAL's on random files.
+// The readers on random files: against CGAL's, and with some bytes changed.
 
 #include "read/errors.h"
 #include "read/little_endian.h"
 #include "read/read_mesh.h"
+#include "write/write_mesh.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -14,8 +15,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iostream>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -23,12 +30,28 @@ namespace read_soup_test {
 
 using namespace segment_mesh;
 
+/// What `read` of CGAL makes of the bytes.
+template <typename Read>
+Polygon_soup by_cgal(const std::string& bytes, Read read)
+{
+  std::istringstream in(bytes);
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  EXPECT_TRUE(read(in, points, polygons, CGAL::parameters::verbose(false))) << bytes;
+  Polygon_soup soup;
+  for (const auto& p : points)
+    soup.points.push_back({p.x(), p.y(), p.z()});
+  for (const auto& polygon : polygons)
+    soup.polygons.push_back(polygon);
+  return soup;
+}
+
 class Random_files : public testing::Test
 {
 protected:
   void SetUp() override { std::cout << "seed " << seed << "\n"; }
 
-  std::size_t below(std::size_t n) { return random() % n; }
+  std::size_t below(std::size_t n) { return n == 0 ? 0 : random() % n; }
 
   const char* one_of(std::initializer_list<const char*> words)
   {
@@ -75,46 +98,79 @@ protected:
   std::string blank() { return one_of({" ", "  ", "\t", " \t "}); }
   std::string line_end() { return one_of({"\n", "\n", " \n", "\n\n"}); }
 
+  /// Replaces, removes, doubles or cuts off a few bytes.
+  std::string changed(std::string bytes)
+  {
+    for (std::size_t i = 0, n = 1 + below(4); i < n; ++i) {
+      const std::size_t at = below(bytes.size());
+      switch (below(6)) {
+      case 0:
+        bytes.resize(at);
+        break;
+      case 1:
+        bytes.erase(at, 1 + below(8));
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(at, below(20)));
+        break;
+      case 3:
+        bytes.insert(at, 1, "0123456789-.e \n#"[below(16)]);
+        break;
+      default:
+        bytes.replace(at, 1, 1, char(below(256)));
+      }
+    }
+    return bytes;
+  }
+
+  /// Whatever a file holds, it is read as a usable mesh or refused with one line that names it.
+  void expect_read_or_refused(Mesh_format format, const std::string& bytes)
+  {
+    SCOPED_TRACE(testing::PrintToString(bytes));
+    try {
+      const Polygon_soup soup = parse_mesh("x", format, bytes).soup;
+      ASSERT_FALSE(soup.polygons.empty());
+      for (std::size_t p : soup.polygons.corners())
+        ASSERT_LT(p, soup.points.size());
+    } catch (const Input_error& error) {
+      const std::string message = error.what();
+      ASSERT_EQ(message.rfind("x:", 0), 0u) << message;
+      ASSERT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+  }
+
+  void check(Mesh_format format, const std::string& bytes, const Polygon_soup& expected)
+  {
+    const Input_mesh input = parse_mesh("x", format, bytes);
+    const Polygon_soup& soup = input.soup;
+    ASSERT_EQ(soup.points.size(), expected.points.size()) << bytes;
+    // To the bit, with the signs of zeros.
+    ASSERT_EQ(
+      std::memcmp(soup.points.data(), expected.points.data(), sizeof(Point) * soup.points.size()),
+      0)
+      << bytes;
+    ASSERT_EQ(soup.polygons, expected.polygons) << bytes;
+    EXPECT_TRUE(input.remarks.empty());
+    expect_read_or_refused(format, changed(bytes));
+  }
+
+  /// Calls `make` for the bytes of many files, until a test fails.
+  template <typename Make, typename Read>
+  void check_all(Mesh_format format, Make make, Read read)
+  {
+    for (int i = 0; i < 1000 && !HasFatalFailure(); ++i) {
+      const std::string bytes = make();
+      check(format, bytes, by_cgal(bytes, read));
+    }
+  }
+
   const unsigned seed = std::random_device()();
   std::mt19937 random{seed};
 };
 
-using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
-
-/// What `read` of CGAL makes of the bytes.
-template <typename Read>
-Polygon_soup by_cgal(const std::string& bytes, Read read)
-{
-  std::istringstream in(bytes);
-  std::vector<Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  EXPECT_TRUE(read(in, points, polygons)) << bytes;
-  Polygon_soup soup;
-  for (const Point_3& p : points)
-    soup.points.push_back({p.x(), p.y(), p.z()});
-  for (const auto& polygon : polygons)
-    soup.polygons.push_back(polygon);
-  return soup;
-}
-
-void expect_same(Mesh_format format, const std::string& bytes, const Polygon_soup& expected)
-{
-  const Input_mesh input = parse_mesh("x", format, bytes);
-  const Polygon_soup& soup = input.soup;
-  ASSERT_EQ(soup.points.size(), expected.points.size()) << bytes;
-  // To the bit, with the signs of zeros.
-  ASSERT_EQ(
-    std::memcmp(soup.points.data(), expected.points.data(), sizeof(Point) * soup.points.size()), 0)
-    << bytes;
-  ASSERT_EQ(soup.polygons, expected.polygons) << bytes;
-  EXPECT_TRUE(input.remarks.empty());
-}
-
-constexpr int number_of_files = 1000;
-
 TEST_F(Random_files, of_off)
 {
-  for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
+  const auto make = [this] {
     const Polygon_soup soup = random_soup(6);
     std::string bytes = "OFF" + line_end() + std::to_string(soup.points.size()) + blank() +
                         std::to_string(soup.polygons.size()) + " 0" + line_end();
@@ -126,15 +182,14 @@ TEST_F(Random_files, of_off)
         bytes += blank() + std::to_string(corner);
       bytes += line_end();
     }
-    expect_same(Mesh_format::OFF, bytes, by_cgal(bytes, [](auto&... x) {
-                  return CGAL::IO::read_OFF(x..., CGAL::parameters::verbose(false));
-                }));
-  }
+    return bytes;
+  };
+  check_all(Mesh_format::OFF, make, [](auto&&... x) { return CGAL::IO::read_OFF(x...); });
 }
 
 TEST_F(Random_files, of_obj)
 {
-  for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
+  const auto make = [this] {
     const Polygon_soup soup = random_soup(6);
     std::string bytes = one_of({"", "# a comment\n", "o thing\n"});
     for (const Point& p : soup.points)
@@ -148,15 +203,14 @@ TEST_F(Random_files, of_obj)
                  one_of({"", "", "/1", "//2", "/1/2"});
       bytes += "\n";
     }
-    expect_same(Mesh_format::OBJ, bytes, by_cgal(bytes, [](auto&... x) {
-                  return CGAL::IO::read_OBJ(x..., CGAL::parameters::verbose(false));
-                }));
-  }
+    return bytes;
+  };
+  check_all(Mesh_format::OBJ, make, [](auto&&... x) { return CGAL::IO::read_OBJ(x...); });
 }
 
 TEST_F(Random_files, of_stl)
 {
-  for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
+  const auto make = [this] {
     const Polygon_soup soup = random_soup(3);
     const bool is_text = below(2) == 0;
     std::string bytes = is_text ? "solid x\n" : std::string(80, 'x');
@@ -174,64 +228,51 @@ TEST_F(Random_files, of_stl)
       }
       bytes += is_text ? "endloop\nendfacet\n" : std::string(2, '\0');
     }
-    bytes += is_text ? "endsolid x\n" : "";
-    expect_same(Mesh_format::STL, bytes, by_cgal(bytes, [](auto&... x) {
-                  return CGAL::IO::read_STL(x..., CGAL::parameters::verbose(false));
-                }));
+    return bytes + (is_text ? "endsolid x\n" : "");
+  };
+  check_all(Mesh_format::STL, make, [](auto&&... x) { return CGAL::IO::read_STL(x...); });
+}
+
+/// Of glTF there is no reader of CGAL's.
+TEST_F(Random_files, of_gltf)
+{
+  std::ifstream in(TRANSCRIPTS "/tetrahedron.gltf");
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  for (int i = 0; i < 300 && !HasFatalFailure(); ++i) {
+    const Polygon_soup soup = random_soup(6);
+    std::ostringstream out;
+    write_glb(out, {soup, std::vector<std::size_t>(soup.polygons.size())});
+    expect_read_or_refused(Mesh_format::GLTF, changed(out.str()));
+    expect_read_or_refused(Mesh_format::GLTF, changed(text));
   }
 }
 
-/// Values of a PLY file in one of its three formats.
-class Ply_values
+/// Appends a value to the data of a PLY file.
+template <typename T>
+void append(std::string& bytes, const std::string& format, double value)
 {
-public:
-  explicit Ply_values(const std::string& format)
-    : m_format(format)
-  {}
-
-  void add(const std::string& type, double value)
-  {
-    if (type == "char" || type == "int8")
-      add(std::int8_t(value));
-    else if (type == "uchar" || type == "uint8")
-      add(std::uint8_t(value));
-    else if (type == "short" || type == "int16")
-      add(std::int16_t(value));
-    else if (type == "ushort" || type == "uint16")
-      add(std::uint16_t(value));
-    else if (type == "int" || type == "int32")
-      add(std::int32_t(value));
-    else if (type == "uint" || type == "uint32")
-      add(std::uint32_t(value));
-    else if (type == "float" || type == "float32")
-      add(float(value));
-    else
-      add(value);
+  std::ostringstream text;
+  text.precision(std::numeric_limits<T>::max_digits10);
+  text << +T(value) << " ";
+  std::string data = text.str();
+  if (format != "ascii") {
+    data.clear();
+    append_little_endian(data, T(value));
   }
+  if (format == "binary_big_endian")
+    std::reverse(data.begin(), data.end());
+  bytes += data;
+}
 
-  void end_line() { bytes += m_format == "ascii" ? "\n" : ""; }
-
-  std::string bytes;
-
-private:
-  template <typename T>
-  void add(T value)
-  {
-    if (m_format == "ascii") {
-      std::ostringstream text;
-      text.precision(std::numeric_limits<T>::max_digits10);
-      text << +value << " ";
-      bytes += text.str();
-      return;
-    }
-    const std::size_t start = bytes.size();
-    append_little_endian(bytes, value);
-    if (m_format == "binary_big_endian")
-      std::reverse(bytes.begin() + std::ptrdiff_t(start), bytes.end());
-  }
-
-  std::string m_format;
-};
+const std::map<std::string, void (*)(std::string&, const std::string&, double)> append_as = {
+  {"char", append<std::int8_t>},     {"int8", append<std::int8_t>},
+  {"uchar", append<std::uint8_t>},   {"uint8", append<std::uint8_t>},
+  {"short", append<std::int16_t>},   {"int16", append<std::int16_t>},
+  {"ushort", append<std::uint16_t>}, {"uint16", append<std::uint16_t>},
+  {"int", append<std::int32_t>},     {"int32", append<std::int32_t>},
+  {"uint", append<std::uint32_t>},   {"uint32", append<std::uint32_t>},
+  {"float", append<float>},          {"float32", append<float>},
+  {"double", append<double>},        {"float64", append<double>}};
 
 class Random_ply_files : public Random_files
 {
@@ -242,86 +283,71 @@ protected:
                    "uint16", "int32", "uint32"});
   }
 
-  /// A file of the soup, and in `expected` what its values mean in their types.
   std::string file_of(const Polygon_soup& soup, const std::string& coordinate_type,
                       const std::string& size_type, const std::string& index_type)
   {
     const std::string format = one_of({"ascii", "binary_little_endian", "binary_big_endian"});
     const bool has_id = below(2), has_list = below(2);
-    std::string header = "ply\nformat " + format + " 1.0\ncomment x\nelement vertex " +
-                         std::to_string(soup.points.size()) + "\n" +
-                         (has_id ? "property uchar id\n" : "");
+    std::string bytes = "ply\nformat " + format + " 1.0\ncomment x\nelement vertex " +
+                        std::to_string(soup.points.size()) + "\n" +
+                        (has_id ? "property uchar id\n" : "");
     for (const char* name : {"x", "y", "z"})
-      header += "property " + coordinate_type + " " + name + "\n";
-    header += "element face " + std::to_string(soup.polygons.size()) + "\nproperty list " +
-              size_type + " " + index_type + (below(2) ? " vertex_indices\n" : " vertex_index\n");
-    header += has_list ? "property list uchar float uv\n" : "";
-    header += "end_header\n";
-    Ply_values values(format);
+      bytes += "property " + coordinate_type + " " + name + "\n";
+    bytes += "element face " + std::to_string(soup.polygons.size()) + "\nproperty list " +
+             size_type + " " + index_type + (below(2) ? " vertex_indices\n" : " vertex_index\n") +
+             (has_list ? "property list uchar float uv\n" : "") + "end_header\n";
+    const auto add = [&](const std::string& type, double value) {
+      append_as.at(type)(bytes, format, value);
+    };
+    const std::string end = format == "ascii" ? "\n" : "";
     for (const Point& p : soup.points) {
       if (has_id)
-        values.add("uchar", double(below(256)));
+        add("uchar", double(below(256)));
       for (const double x : p)
-        values.add(coordinate_type, x);
-      values.end_line();
+        add(coordinate_type, x);
+      bytes += end;
     }
     for (const auto& polygon : soup.polygons) {
-      values.add(size_type, double(polygon.size()));
+      add(size_type, double(polygon.size()));
       for (const std::size_t corner : polygon)
-        values.add(index_type, double(corner));
+        add(index_type, double(corner));
       for (std::size_t i = 0, n = has_list ? below(3) : 0; has_list && i <= n; ++i)
-        values.add(i == 0 ? "uchar" : "float", i == 0 ? double(n) : 0.5);
-      values.end_line();
+        add(i == 0 ? "uchar" : "float", i == 0 ? double(n) : 0.5);
+      bytes += end;
     }
-    return header + values.bytes;
+    return bytes;
   }
 };
 
 /// Of the types that CGAL reads.
 TEST_F(Random_ply_files, are_read_as_by_cgal)
 {
-  for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
-    const std::string bytes = file_of(random_soup(6),
-                                      one_of({"float", "double", "float32", "float64"}),
-                                      integer_type(), one_of({"int", "uint", "int32", "uint32"}));
-    expect_same(Mesh_format::PLY, bytes, by_cgal(bytes, [](auto&... x) {
-                  return CGAL::IO::read_PLY(x..., CGAL::parameters::verbose(false));
-                }));
-  }
+  const auto make = [this] {
+    return file_of(random_soup(6), one_of({"float", "double", "float32", "float64"}),
+                   integer_type(), one_of({"int", "uint", "int32", "uint32"}));
+  };
+  check_all(Mesh_format::PLY, make, [](auto&&... x) { return CGAL::IO::read_PLY(x...); });
 }
 
 TEST_F(Random_ply_files, have_any_types)
 {
-  for (int i = 0; i < number_of_files && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < 1000 && !HasFatalFailure(); ++i) {
     Polygon_soup soup = random_soup(6);
     for (Point& p : soup.points)
       for (double& x : p)
         x = double(below(128)); // a value that all types have
     const std::string type = below(3) ? integer_type() : one_of({"float", "double"});
-    expect_same(Mesh_format::PLY, file_of(soup, type, integer_type(), integer_type()), soup);
+    check(Mesh_format::PLY, file_of(soup, type, integer_type(), integer_type()), soup);
   }
 }
 
-/// A count in a header that the file does not keep must not be believed when memory is reserved.
-TEST(Lying_headers, take_no_memory)
+/// A size in a file that the file does not keep must not be believed when memory is reserved.
+TEST(Lying_sizes, take_no_memory)
 {
-  const std::string count = "1000000000000000000";
-  const std::string ply = " 1.0\nelement vertex " + count +
-                          "\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face " +
-                          count + "\nproperty list uint int vertex_indices\nend_header\n";
-  for (const std::string format : {"ascii", "binary_little_endian"})
-    EXPECT_THROW(parse_mesh("x", Mesh_format::PLY, "ply\nformat " + format + ply + "1 2 3 4 5 6 7"),
-                 Input_error);
-  EXPECT_THROW(parse_mesh("x", Mesh_format::OFF, "OFF " + count + " " + count + " 0\n1 2 3\n"),
-               Input_error);
-  EXPECT_THROW(
-    parse_mesh("x", Mesh_format::OFF, "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + count + " 0 1 2\n"),
-    Input_error);
-  const std::string faces =
+  const std::string face =
     "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n";
-  EXPECT_THROW(parse_mesh("x", Mesh_format::PLY, faces + "\xff\xff\xff\xff"), Input_error);
+  EXPECT_THROW(parse_mesh("x", Mesh_format::PLY, face + "\xff\xff\xff\xff"), Input_error);
 }
 
 } // namespace read_soup_test

@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
-"""simulation_test.py PROGRAM READER EXAMPLES: the segments of segment_mesh in the tools of simulation: groups, sets and patches
-of the names and areas of the segments, on surfaces and on volume meshes by EXAMPLES/pipelines/volume_mesh.geo. READER is gmsh,
-abaqus (what gmsh writes for it), calculix, meshio or openfoam, of the Debian packages gmsh with python3-gmsh, calculix-ccx,
+"""simulation_test.py PROGRAM READER: the segments of segment_mesh in the tools of simulation: groups, sets and patches
+of the names and areas of the segments, on surfaces and on volume meshes by examples/pipelines/volume_mesh.geo. READER is gmsh,
+calculix, meshio or openfoam, of the Debian packages gmsh with python3-gmsh, calculix-ccx,
 python3-meshio and openfoam. Without it the test is skipped."""
 
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
 import numpy
 
-from outputs_test import BLOCK, Case, area, fan, skip
+from helpers import BLOCK, EXAMPLES, Case, area, need, run, skip
 
 
 def volume_of_tetrahedra(corners):
@@ -28,9 +27,7 @@ def expect(found, expected, tolerance=1e-6):
 
 
 def make_volume_mesh(case, output, *options):
-    outcome = subprocess.run(["gmsh", "-3", "a.msh", case.pipeline, *options, "-o", output], cwd=case.folder,
-                             capture_output=True, text=True)
-    assert outcome.returncode == 0, outcome.stdout + outcome.stderr
+    run(case.folder, "gmsh", "-3", "a.msh", EXAMPLES / "pipelines/volume_mesh.geo", *options, "-o", output)
 
 
 def groups_of_gmsh(gmsh, dimension):
@@ -82,6 +79,7 @@ def check_gmsh(case):
 
 
 def check_meshio(case):
+    """Also the file that gmsh writes for Abaqus, where each set of elements is one of their points, too."""
     try:
         import meshio
     except ImportError:
@@ -93,35 +91,17 @@ def check_meshio(case):
     assert {block.type for block in mesh.cells} == {"triangle"} and all(d == 2 for _, d in mesh.field_data.values())
     expect({name: area(mesh.points[triangles[tags == tag]]) for name, (tag, _) in mesh.field_data.items()}, case.area_of_name)
 
-    make_volume_mesh(case, "volume.msh")
-    mesh = meshio.read(case.folder / "volume.msh")
-    found = {}
-    for name in case.area_of_name:
-        corners, = (block.data[members] for block, members in zip(mesh.cells, mesh.cell_sets[name]) if len(members))
-        found[name] = area(mesh.points[corners])
-    expect(found, case.area_of_name)
-
-
-def check_abaqus(case):
-    """The file that gmsh writes, read by the rules of Abaqus: points, elements, and numbers of elements and points of sets."""
-    make_volume_mesh(case, "part.inp")
-    items = {"NODE": {}, "ELEMENT": {}, "ELSET": {}, "NSET": {}}
-    text = re.sub(r"^\*\*.*\n", "", (case.folder / "part.inp").read_text(), flags=re.MULTILINE)
-    for block in re.split(r"^\*", text, flags=re.MULTILINE)[1:]:
-        keyword, data = block.split("\n", 1)
-        keyword, *options = keyword.split(",")
-        lines = [re.findall(r"[^,\s]+", line) for line in data.split("\n") if line]
-        if keyword in ("NODE", "ELEMENT"):
-            items[keyword].update((line[0], line[1:]) for line in lines)
-        elif keyword in ("ELSET", "NSET"):
-            items[keyword][options[0].split("=")[1]] = [word for line in lines for word in line]
-    points = {number: numpy.array(words, dtype=float) for number, words in items["NODE"].items()}
-    corners_of = {name: [items["ELEMENT"][element] for element in elements] for name, elements in items["ELSET"].items()}
-    assert {name: {c for corners in elements for c in corners} for name, elements in corners_of.items()} == {
-        name: set(numbers) for name, numbers in items["NSET"].items()}
-    found = {name: numpy.array([[points[c] for c in corners] for corners in elements]) for name, elements in corners_of.items()}
-    numpy.testing.assert_allclose(volume_of_tetrahedra(found.pop("volume")), case.volume, rtol=1e-6)
-    expect({name: area(triangles) for name, triangles in found.items()}, case.area_of_name)
+    for file in "volume.msh", "part.inp":
+        make_volume_mesh(case, file)
+        mesh = meshio.read(case.folder / file)
+        corners = {}
+        for name in (*case.area_of_name, "volume"):
+            parts = [block.data[members] for block, members in zip(mesh.cells, mesh.cell_sets[name]) if len(members)]
+            corners[name] = numpy.concatenate(parts)
+            if file == "part.inp":
+                assert set(mesh.point_sets[name]) == set(corners[name].flat), name
+        numpy.testing.assert_allclose(volume_of_tetrahedra(mesh.points[corners.pop("volume")]), case.volume, rtol=1e-6)
+        expect({name: area(mesh.points[triangles]) for name, triangles in corners.items()}, case.area_of_name)
 
 
 def check_calculix(case):
@@ -129,7 +109,7 @@ def check_calculix(case):
     if case.curved:
         return
     make_volume_mesh(case, "part.inp", "-setnumber", "size", str(case.size))
-    manual = (case.examples / ".." / "doc" / "Region_segmentation" / "Program.txt").read_text()
+    manual = (EXAMPLES.parent / "doc" / "Region_segmentation" / "Program.txt").read_text()
     subprocess.run(re.search(r"^awk .*part_solid.inp$", manual, re.MULTILINE)[0], shell=True, cwd=case.folder, check=True)
     points = numpy.array(case.points)
     sides = {name: points[case.faces[label]] for label, name in enumerate(case.names)} # a face each
@@ -169,24 +149,16 @@ def check_openfoam(case):
         assert line in report.stdout, report.stdout
 
 
-def main(program, reader, examples):
-    examples = pathlib.Path(examples)
-    check = {"gmsh": check_gmsh, "abaqus": check_abaqus, "calculix": check_calculix, "meshio": check_meshio,
-             "openfoam": check_openfoam}[reader]
-    for needed in {"openfoam": ["surfaceCheck"], "calculix": ["ccx", "gmsh"]}.get(reader, ["gmsh"]):
-        if not shutil.which(needed):
-            skip(f"no {needed}")
+def main(program, reader):
+    check = {"gmsh": check_gmsh, "calculix": check_calculix, "meshio": check_meshio, "openfoam": check_openfoam}[reader]
+    need(*{"openfoam": ["surfaceCheck"], "calculix": ["ccx", "gmsh"]}.get(reader, ["gmsh"]))
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "block.off").write_text(BLOCK)
-        flange = str(examples / "data" / "flange.off")
-        for mesh, options, size in (("block.off", ["--method", "smooth-faces"], 0.5), (flange, ["--method", "smooth-faces"], 8),
-                                    ("--demo", [], 0.05)):
+        part = ["--method", "smooth-faces"]
+        for mesh, options, size in (("block.off", part, 0.5), (EXAMPLES / "data/flange.off", part, 8), ("--demo", [], 0.05)):
             case = Case(program, folder, mesh, options)
-            case.area_of_name = dict(zip(case.names, case.areas, strict=True))
-            case.volume = sum(numpy.linalg.det(t) for face in case.faces for t in fan(case.points, face)) / 6
             case.curved, case.size = mesh != "block.off", size
-            case.examples, case.pipeline = examples, str(examples / "pipelines" / "volume_mesh.geo")
             case.write("a.msh")
             check(case)
 

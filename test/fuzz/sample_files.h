@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
-#define CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
+#ifndef CGAL_REGION_SEGMENTATION_TEST_FUZZ_SAMPLE_FILES_H
+#define CGAL_REGION_SEGMENTATION_TEST_FUZZ_SAMPLE_FILES_H
 
 #include "read/little_endian.h"
 
@@ -145,4 +145,4 @@ inline std::string with(std::string text, const std::string& from, const std::st
 
 } // namespace sample
 
-#endif // CGAL_REGION_SEGMENTATION_TEST_SAMPLE_FILES_H
+#endif // CGAL_REGION_SEGMENTATION_TEST_FUZZ_SAMPLE_FILES_H
