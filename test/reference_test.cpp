@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <set>
 #include <string>
 
 namespace reference_test {
@@ -215,24 +214,6 @@ Soup pyramids(std::size_t nx, std::size_t ny)
   });
 }
 
-/// Unit cubes glued at random, or boxes of them, each of a few sizes.
-Soup random_boxes(std::mt19937& random)
-{
-  while (true) {
-    std::set<Voxel> voxels;
-    Voxel at{0, 0, 0};
-    for (unsigned i = 2 + random() % 4; i > 0; --i) {
-      const int size = 1 + int(random() % 3);
-      for (const Voxel& v : voxel_block(at, {at[0] + size, at[1] + size, at[2] + size}))
-        voxels.insert(v);
-      at[random() % 3] += size;
-    }
-    const Soup soup = voxel_surface({voxels.begin(), voxels.end()});
-    if (is_manifold(soup))
-      return random() % 2 ? soup : triangulated(soup);
-  }
-}
-
 /// The mean angles of sections that are equal in real numbers may differ by rounding, which then
 /// decides.
 void expect_no_difference_but_by_rounding(const Soup& soup, std::mt19937& random)
@@ -260,17 +241,12 @@ TEST(Reference_ties_test, are_decided_by_rounding_at_most_with_all_weights)
   for (unsigned seed = first_seed; seed < first_seed + 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    Soup soup;
-    switch (seed % 4) {
-    case 0:
-      soup = pyramids(1 + random() % 8, 1 + random() % 6);
-      break;
-    case 1:
-      soup = joined(cube(), translated(random_boxes(random), 40, 0, 0));
-      break;
-    default:
-      soup = random_boxes(random);
-    }
+    Soup soup = seed % 4 == 0 ? pyramids(1 + random() % 8, 1 + random() % 6)
+                              : random_blocks(random);
+    if (random() % 2)
+      soup = triangulated(soup);
+    if (seed % 4 == 1)
+      soup = joined(cube(), translated(soup, 40, 0, 0));
     shuffle_faces(soup, random);
     expect_no_difference_but_by_rounding(soup, random);
   }
