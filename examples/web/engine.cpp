@@ -3,7 +3,7 @@
 // The program in a web worker: reads a mesh from the bytes of a file, segments it, and writes it.
 // Answers are objects for worker.js; one with `error` holds the reason for a user.
 
-#include "page/page_data.h"
+#include "page/page.h"
 #include "read/errors.h"
 #include "read/read_mesh.h"
 #include "write/write_mesh.h"

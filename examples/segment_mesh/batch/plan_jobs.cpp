@@ -2,10 +2,12 @@
 
 #include "batch/plan_jobs.h"
 
-#include "read/Mesh_format.h"
 #include "read/errors.h"
-#include "write/output_format.h"
+#include "read/read_mesh.h"
 #include "write/Whole_file.h"
+#include "write/output_format.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,13 +19,9 @@ namespace {
 
 constexpr const char* stem_placeholder = "{stem}";
 
-std::string with_stem(std::string file, const std::string& stem)
+std::string with_stem(const std::string& file, const std::string& stem)
 {
-  const std::string to_replace = stem_placeholder;
-  for (std::size_t at = file.find(to_replace); at != std::string::npos;
-       at = file.find(to_replace, at + stem.size()))
-    file.replace(at, to_replace.size(), stem);
-  return file;
+  return boost::replace_all_copy(file, stem_placeholder, stem);
 }
 
 /// A side file, its option, and what it is in messages.

@@ -24,25 +24,25 @@ namespace segment_mesh {
 
 namespace {
 
-using CGAL::Region_segmentation::Feature_convexity;
+/// The values of an enumeration by their names, which are in their order.
+template <typename Value, std::size_t N>
+std::map<std::string, Value> by_name(const char* const (&names)[N])
+{
+  std::map<std::string, Value> values;
+  for (std::size_t i = 0; i < N; ++i)
+    values.emplace(names[i], Value(i));
+  return values;
+}
 
-const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
-                                               {"visibility", Method::VISIBILITY},
-                                               {"two-step", Method::TWO_STEP},
-                                               {"smooth-faces", Method::SMOOTH_FACES}};
-
-const std::map<std::string, Feature_convexity> features = {{"concave", Feature_convexity::CONCAVE},
-                                                           {"convex", Feature_convexity::CONVEX},
-                                                           {"all", Feature_convexity::ALL}};
+const auto methods = by_name<Method>(method_names);
+const auto features = by_name<CGAL::Region_segmentation::Feature_convexity>(feature_names);
+const auto set_kinds = by_name<Set_kind>(set_kind_names);
 
 const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENTS},
                                                    {"kind", Coloring::KINDS}};
 
 const std::map<std::string, Up_direction> up_directions = {
   {"x", {0, 1}}, {"y", {1, 1}}, {"z", {2, 1}}, {"-x", {0, -1}}, {"-y", {1, -1}}, {"-z", {2, -1}}};
-
-const std::map<std::string, Set_kind> set_kinds = {
-  {"groups", Set_kind::GROUPS}, {"materials", Set_kind::MATERIALS}, {"solids", Set_kind::SOLIDS}};
 
 const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 

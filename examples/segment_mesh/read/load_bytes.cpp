@@ -2,7 +2,7 @@
 
 #include "read/load_bytes.h"
 
-#include "read/Mesh_format.h"
+#include "read/read_mesh.h"
 #include "read/errors.h"
 
 #include <zlib.h>

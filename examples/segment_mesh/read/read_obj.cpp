@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace segment_mesh {
@@ -59,7 +57,8 @@ public:
     if (m_soup.polygons.empty() && m_number_of_unknown > 0)
       throw Input_error(m_file, m_line_of_unknown, "unknown statement " + m_unknown);
     if (m_highest_index > std::int64_t(m_soup.points.size()))
-      throw Input_error(m_file, m_line_of_highest_index, out_of_range(m_highest_index));
+      throw Input_error(m_file, m_line_of_highest_index,
+                        out_of_range(m_highest_index, m_soup.points.size(), "vertex", 1));
     if (m_number_of_unknown > 0)
       m_input.remarks.push_back(one_line(
         m_file + ":" + std::to_string(m_line_of_unknown) + ": unknown statement " + m_unknown +
@@ -111,22 +110,12 @@ private:
       coordinate = number_or_zero(m_scan.word());
   }
 
-  /// Names may have blanks, but a line may also have several names.
-  void add_library(const std::string& names)
+  /// The name is all of the line: names have blanks more often than lines have several names.
+  void add_library(const std::string& file)
   {
-    namespace fs = std::filesystem;
-    std::vector<std::string> files = {names};
-    std::error_code error;
-    if (names.find(' ') != std::string::npos &&
-        !fs::exists(fs::path(m_library.folder) / names, error)) {
-      std::istringstream in(names);
-      const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
-      if (fs::exists(fs::path(m_library.folder) / words[0], error))
-        files = words;
-    }
-    for (const std::string& file : files)
-      if (std::find(m_library.files.begin(), m_library.files.end(), file) == m_library.files.end())
-        m_library.files.push_back(file);
+    std::vector<std::string>& files = m_library.files;
+    if (std::find(files.begin(), files.end(), file) == files.end())
+      files.push_back(file);
   }
 
   void read_face()
@@ -149,7 +138,7 @@ private:
   {
     const std::int64_t number_of_vertices = std::int64_t(m_soup.points.size());
     if (index == 0 || index < -number_of_vertices)
-      m_scan.fail(out_of_range(index));
+      m_scan.fail(out_of_range(index, m_soup.points.size(), "vertex", 1));
     if (index > m_highest_index) {
       m_highest_index = index;
       m_line_of_highest_index = m_scan.line_number();
@@ -174,28 +163,11 @@ private:
   void finish_properties()
   {
     Mesh_properties& properties = m_input.properties;
-    auto& texture = properties.texture;
-    for (Polygons::Index& i : texture.of_corner)
-      if (i >= texture.values.size())
-        i = texture.none;
-    if (!texture.values.empty())
-      texture.of_corner.resize(m_soup.polygons.corners().size(), texture.none);
-    else
-      texture.of_corner.clear();
-    if (!properties.colors.values.empty()) {
-      properties.colors.values.resize(m_soup.points.size(), Mesh_properties::white);
-      properties.colors.of_corner = m_soup.polygons.corners();
-    }
+    properties.texture.of_corner.resize(m_soup.polygons.corners().size(), properties.texture.none);
     properties.of(Set_kind::GROUPS) = m_groups.build(m_soup.polygons.size());
     properties.of(Set_kind::MATERIALS) = m_materials.build(m_soup.polygons.size());
     if (!m_library.files.empty())
       properties.library = std::make_shared<Material_library>(std::move(m_library));
-  }
-
-  std::string out_of_range(std::int64_t index) const
-  {
-    return "index " + std::to_string(index) + " is out of range: there are " +
-           counted(m_soup.points.size(), "vertex") + ", from 1";
   }
 
   std::string m_file;

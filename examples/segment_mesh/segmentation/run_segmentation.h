@@ -32,6 +32,9 @@ enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 /// The names of the methods, in their order.
 constexpr const char* method_names[] = {"two-step", "visibility", "learned", "smooth-faces"};
 
+/// The names of `Feature_convexity`, in their order.
+constexpr const char* feature_names[] = {"convex", "concave", "all"};
+
 /// What becomes of the borders that a method gives.
 enum class Border_treatment { NONE, SMOOTHING };
 
@@ -50,12 +53,6 @@ struct Segmentation_settings
   double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
   Border_treatment borders = Border_treatment::NONE;
   Component_links links = Component_links::FOUND;
-};
-
-struct Stage_time
-{
-  std::string stage;
-  double seconds;
 };
 
 /// Which edges were feature edges.
@@ -81,7 +78,6 @@ struct Segmentation
   /// where the segments are the regions.
   CGAL::Region_segmentation::Merge_tree tree{0};
   double seconds = 0; ///< from the mesh in memory to the labels
-  std::vector<Stage_time> stages;
 };
 
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.

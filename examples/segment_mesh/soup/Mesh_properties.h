@@ -48,6 +48,20 @@ struct Corner_values
     return of_corner[corner] == none ? otherwise : values[of_corner[corner]];
   }
 
+  /// What a reader has left open of the corners of a mesh: without values there are none; values
+  /// without corners are those of points, of which later ones have the value `of_others`; corners
+  /// that have no value have none.
+  void finish(const Polygon_soup& soup, const Value& of_others)
+  {
+    if (!values.empty() && of_corner.empty()) {
+      values.resize(soup.points.size(), of_others);
+      of_corner = soup.polygons.corners();
+    }
+    of_corner.resize(values.empty() ? 0 : soup.polygons.corners().size(), none);
+    for (Polygons::Index& i : of_corner)
+      i = i < values.size() ? i : none;
+  }
+
   /// Of each point, that at its first corner. \pre not empty
   std::vector<Value> of_points(const Polygon_soup& soup, const Value& otherwise) const
   {
@@ -61,11 +75,12 @@ struct Corner_values
 /// The materials themselves, as their file has them.
 struct Material_library
 {
-  std::string folder;              ///< of the file, which names of files start from
-  std::vector<std::string> files;  ///< of OBJ the .mtl files, of PLY the images of textures
-  std::string gltf;                ///< of glTF: `materials` and what they refer to, as JSON; an
-                                   ///< image's `bufferView` is its place in `images`
-  std::vector<std::string> images; ///< bytes
+  std::string folder;                ///< of the file, which names of files start from
+  std::vector<std::string> files;    ///< of OBJ: .mtl
+  std::vector<std::string> textures; ///< of PLY: the files of images
+  std::string gltf;                  ///< of glTF: `materials` and what they refer to, as JSON; an
+                                     ///< image's `bufferView` is its place in `images`
+  std::vector<std::string> images;   ///< bytes
 };
 
 /// What a file says of a mesh beside its points and faces. What it does not have is empty.

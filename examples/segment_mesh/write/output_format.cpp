@@ -3,7 +3,9 @@
 #include "write/output_format.h"
 
 #include "read/errors.h"
-#include "read/Mesh_format.h"
+#include "read/read_mesh.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -74,13 +76,9 @@ bool has_names(Output_format format)
          format == Output_format::MSH;
 }
 
-std::string with_segment(std::string file, const std::string& number)
+std::string with_segment(const std::string& file, const std::string& number)
 {
-  const std::string placeholder = segment_placeholder;
-  for (std::size_t at = file.find(placeholder); at != std::string::npos;
-       at = file.find(placeholder, at))
-    file.replace(at, placeholder.size(), number);
-  return file;
+  return boost::replace_all_copy(file, segment_placeholder, number);
 }
 
 std::string material_library(const Output& output)

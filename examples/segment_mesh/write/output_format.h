@@ -50,7 +50,7 @@ struct Output
 };
 
 /// The name with this number in place of each `{segment}`.
-std::string with_segment(std::string file, const std::string& number);
+std::string with_segment(const std::string& file, const std::string& number);
 
 /// Whether `name` is `pattern` with the same number in place of each `{segment}`.
 /// \pre there is one in `pattern`

@@ -2,7 +2,7 @@
 
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 #include "view/Corner_normals.h"
 #include "write/write_mesh.h"
 

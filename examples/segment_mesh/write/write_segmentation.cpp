@@ -2,25 +2,21 @@
 
 #include "write/write_segmentation.h"
 
-#include "page/write_page.h"
+#include "page/page.h"
 #include "read/errors.h"
 #include "read/read_marks.h"
 #include "view/render_view.h"
-#include "view/write_png.h"
 #include "write/Text_buffer.h"
 #include "write/Whole_file.h"
 #include "write/write_mesh.h"
 
+#include <boost/iostreams/compose.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
-#include <sstream>
 
 namespace segment_mesh {
 
@@ -102,20 +98,21 @@ void write_stream(std::ostream& out, Compression compression, const Write& write
     return;
   }
   std::string compressed;
-  boost::iostreams::filtering_ostream compressor;
-  compressor.push(boost::iostreams::gzip_compressor());
-  compressor.push(boost::iostreams::back_inserter(compressed));
+  boost::iostreams::filtering_ostream compressor(boost::iostreams::gzip_compressor() |
+                                                 boost::iostreams::back_inserter(compressed));
   write(compressor);
   compressor.reset(); // it is complete
   out.write(compressed.data(), std::streamsize(compressed.size()));
 }
 
-/// The names of the files of materials of the input, as seen from an output.
-std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
+/// The names of files of materials or images of the input, as seen from an output.
+std::vector<std::string>
+files_of_input(const Output& output, const Mesh_properties& properties,
+               std::vector<std::string> Material_library::*files = &Material_library::files)
 {
   std::vector<std::string> names;
   if (properties.library)
-    for (const std::string& name : properties.library->files)
+    for (const std::string& name : properties.library.get()->*files)
       names.push_back(one_line(relative_name(properties.library->folder, name, folder_of(output))));
   return names;
 }
@@ -135,9 +132,11 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
   std::vector<std::string> names;
-  if (output.format == Output_format::PLY || has_obj_materials(mesh.properties)) {
+  if (output.format == Output_format::PLY)
+    names = files_of_input(output, mesh.properties, &Material_library::textures);
+  else if (has_obj_materials(mesh.properties))
     names = files_of_input(output, mesh.properties);
-  } else if (const std::string library = material_library(output); !library.empty()) {
+  else if (const std::string library = material_library(output); !library.empty()) {
     check_library(library, output, result);
     materials.emplace(library);
     write_mtl(materials->stream(), mesh);
@@ -163,35 +162,6 @@ Remarks write_solid(const Output& output, const Result& result)
   return step.remarks;
 }
 
-/// The largest absolute value of a coordinate of a polygon.
-double largest_coordinate(const Polygon_soup& soup)
-{
-  double largest = 0;
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    for (const std::size_t v : polygon)
-      for (const double x : soup.points[v])
-        largest = (std::max)(largest, std::fabs(x));
-  return largest;
-}
-
-/// \throws Output_error if the coordinates are none of float, which readers of the formats of parts
-/// use
-void check_coordinates(const Output& output, const Polygon_soup& soup)
-{
-  using Limits = std::numeric_limits<float>;
-  if (output.format != Output_format::GLB && output.format != Output_format::THREE_MF &&
-      output.format != Output_format::STL)
-    return;
-  const double least = double((Limits::min)()), most = double((Limits::max)()),
-               largest = largest_coordinate(soup);
-  if (largest > most || (largest > 0 && largest < least)) {
-    std::ostringstream text;
-    text << "coordinates reach " << largest << ", this format can have some from " << least
-         << " to " << most;
-    throw Output_error(output.file, text.str());
-  }
-}
-
 void write_each_segment(const Output& output, const Result& result, const Labelled_mesh& mesh)
 {
   const auto faces = faces_of_segments(mesh.segment_of_face);
@@ -215,7 +185,6 @@ Remarks write_segmentation(const Output& output, const Result& result)
     throw Output_error(output.file,
                        "pages need three.js (Debian: libjs-three), and this program was "
                        "built without it");
-  check_coordinates(output, result.input.soup);
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)
     solids = result.details.solids();

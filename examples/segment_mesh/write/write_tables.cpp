@@ -2,7 +2,6 @@
 
 // The .csv and the .json output. doc/Region_segmentation/Program.txt has their columns and members.
 
-#include "segmentation/segment_json.h"
 #include "write/Text_buffer.h"
 #include "write/write_segmentation.h"
 
@@ -74,14 +73,6 @@ std::vector<double> area_shares(const Result& result)
   return shares;
 }
 
-const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
-{
-  using CGAL::Region_segmentation::Feature_convexity;
-  return features == Feature_convexity::CONCAVE  ? "concave"
-         : features == Feature_convexity::CONVEX ? "convex"
-                                                 : "all";
-}
-
 ordered_json settings_json(const Result& result)
 {
   if (!result.side_files.labels.empty())
@@ -102,7 +93,7 @@ ordered_json settings_json(const Result& result)
   if (!result.side_files.seeds.empty())
     json["seeds"] = result.side_files.seeds;
   if (const auto& features = result.segmentation.features) {
-    json["features"] = name_of(features->convexity);
+    json["features"] = feature_names[std::size_t(features->convexity)];
     json["max_angle"] = features->maximum_angle;
   }
   if (settings.tolerance > 0)
@@ -117,14 +108,6 @@ ordered_json array_json(const Elements& elements, ToJson to_json)
   for (const auto& element : elements)
     array.push_back(to_json(element));
   return array;
-}
-
-ordered_json times_json(const Segmentation& segmentation)
-{
-  ordered_json stages = array_json(segmentation.stages, [](const Stage_time& time) -> ordered_json {
-    return {{"stage", time.stage}, {"seconds", time.seconds}};
-  });
-  return {{"total", segmentation.seconds}, {"stages", std::move(stages)}};
 }
 
 void add_details(const Result& result, ordered_json& json)
@@ -220,7 +203,7 @@ void write_json(std::ostream& out, const Result& result)
                    {"faces", result.input.soup.polygons.size()},
                    {"points", result.input.soup.points.size()}};
   json["settings"] = settings_json(result);
-  json["times"] = times_json(result.segmentation);
+  json["times"] = {{"total", result.segmentation.seconds}};
   add_details(result, json);
   json["feature_lines"] = result.details.feature_lines();
   json["face_segments"] = array_json(result.segmentation.segment_of_face,

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read/Mesh_format.h"
+#include "read/read_mesh.h"
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/read_mesh.h"
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <numeric>
+#include <unordered_map>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -25,28 +27,16 @@ fs::path without_gz(const fs::path& file)
 /// Of points with the same coordinates keeps the first; those that are kept stay in order.
 void merge_equal_points(Polygon_soup& soup)
 {
-  std::vector<Point>& points = soup.points;
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
-    return points[i] < points[j] || (!(points[j] < points[i]) && i < j);
-  });
-
-  std::vector<std::size_t> first(points.size()); // the first point at the place of each
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]]
-                                                                        : order[k];
-
-  std::vector<std::size_t>& new_index = order;
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (first[i] == i) {
-      new_index[i] = size;
-      points[size++] = points[i];
-    } else
-      new_index[i] = new_index[first[i]];
+  std::unordered_map<Point, std::size_t, boost::hash<Point>> indices;
+  std::vector<std::size_t> new_index;
+  std::vector<Point> points;
+  for (const Point& point : soup.points) {
+    const auto [index, is_new] = indices.emplace(point, points.size());
+    if (is_new)
+      points.push_back(point);
+    new_index.push_back(index->second);
   }
-  points.resize(size);
+  soup.points = std::move(points);
   soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
@@ -116,6 +106,8 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
   Input_mesh input = read(file, bytes);
   if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
+  input.properties.colors.finish(input.soup, Mesh_properties::white);
+  input.properties.texture.finish(input.soup, {});
   if (format == Mesh_format::STL || format == Mesh_format::GLTF)
     merge_equal_points(input.soup);
   return input;
