@@ -192,10 +192,11 @@ ordered_json shapes_json(const Page_content& content)
   return shapes;
 }
 
-std::string text_of(const ordered_json& json)
+std::string text_of(const ordered_json& json, Characters characters)
 {
   constexpr int on_one_line = -1;
-  return json.dump(on_one_line, ' ', true, ordered_json::error_handler_t::replace);
+  return json.dump(on_one_line, ' ', characters == Characters::ASCII,
+                   ordered_json::error_handler_t::replace);
 }
 
 } // namespace segment_mesh

@@ -5,10 +5,10 @@
 #include "read/Text_scanner.h"
 #include "read/errors.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/functional/hash.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <unordered_map>
 #include <utility>
@@ -44,18 +44,13 @@ void merge_equal_points(Polygon_soup& soup)
 
 std::string ending_of(const std::string& file)
 {
-  std::string ending = fs::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string ending = boost::algorithm::to_lower_copy(fs::path(file).extension().string());
   return ending.empty() ? ending : ending.substr(1);
 }
 
 std::string list_of_endings(const std::vector<std::string>& endings)
 {
-  std::string list;
-  for (std::size_t i = 0; i < endings.size(); ++i)
-    list += (i == 0 ? "." : i + 1 < endings.size() ? ", ." : " or .") + endings[i];
-  return list;
+  return "." + boost::algorithm::join(endings, ", .");
 }
 
 const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats()

@@ -97,12 +97,12 @@ bool is_written_directly(const std::string& file)
          (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
 }
 
-fs::path resolve_links(const std::string& file)
+std::string resolve_links(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
   const fs::path resolved = fs::weakly_canonical(fs::absolute(file), error);
-  return error ? fs::path(file) : resolved;
+  return error ? file : resolved.string();
 }
 
 void occupy_closed_standard_streams()

@@ -2,6 +2,7 @@
 
 // The .csv and the .json output. doc/Region_segmentation/Program.txt has their columns and members.
 
+#include "page/page.h"
 #include "write/Text_buffer.h"
 #include "write/write_segmentation.h"
 
@@ -136,12 +137,6 @@ void add_details(const Result& result, ordered_json& json)
     });
 }
 
-std::string text_of(const ordered_json& json)
-{
-  constexpr int on_one_line = -1;
-  return json.dump(on_one_line, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 void write_members(std::ostream& out, const ordered_json& json)
 {
   const char* separator = "{\n";
@@ -149,12 +144,12 @@ void write_members(std::ostream& out, const ordered_json& json)
     out << separator << "\"" << name << "\": ";
     separator = ",\n";
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
-      out << text_of(value);
+      out << text_of(value, Characters::UTF8);
       continue;
     }
     const char* before = "[\n";
     for (const ordered_json& element : value) {
-      out << before << text_of(element);
+      out << before << text_of(element, Characters::UTF8);
       before = ",\n";
     }
     out << "]";
