@@ -67,16 +67,6 @@ void expect_near(const RS::Second_moments& a, const RS::Second_moments& b)
   EXPECT_NEAR(c.trace(), d.trace(), 1e-9);
 }
 
-Soup turned(const Soup& soup)
-{
-  // About two axes, by 0.7 and 1.9 rad.
-  return mapped(soup, [](const Point& p) -> Point {
-    const double x = std::cos(0.7) * p[0] - std::sin(0.7) * p[1],
-                 y = std::sin(0.7) * p[0] + std::cos(0.7) * p[1];
-    return {x, std::cos(1.9) * y - std::sin(1.9) * p[2], std::sin(1.9) * y + std::cos(1.9) * p[2]};
-  });
-}
-
 /// The features of all sections differ by at most one step. `region_of[r]`: the region of `b` that
 /// is r in `a`
 void expect_same_features(const Graph& a, const Graph& b, const std::vector<Region>& region_of)
@@ -199,29 +189,6 @@ TEST(Learned_annotator_test, the_whole_surface_sees_itself_alone)
   }
 }
 
-TEST(Learned_annotator_test, annotating_again_changes_nothing)
-{
-  const Soup soup = random_mesh(Family::BLOCKS, 2);
-  const RS::Surface mesh = surface_of_soup(soup);
-  std::mt19937 random(2);
-  const RS::Partition regions = RS::Partition::from_labels(random_regions(soup, 20, random));
-  const Graph once = annotated<RS::Learned_annotator>(mesh, regions);
-  Graph twice = once;
-  annotate<RS::Learned_annotator>(twice, mesh, regions);
-  ASSERT_EQ(twice.number_of_sections(), once.number_of_sections());
-  for (auto range = vertices(once); range.first != range.second; ++range.first) {
-    const auto &a = twice[*range.first], &b = once[*range.first];
-    EXPECT_EQ(a.perimeter, b.perimeter);
-    EXPECT_EQ(a.own_visibility, b.own_visibility);
-    EXPECT_EQ(a.squared_log_thickness, b.squared_log_thickness);
-    EXPECT_EQ(norm(a.area_vector - b.area_vector), 0);
-    EXPECT_EQ(a.moments.second.xx, b.moments.second.xx);
-    EXPECT_EQ(a.whole.outward, b.whole.outward);
-  }
-  for (auto range = edges(once); range.first != range.second; ++range.first)
-    EXPECT_EQ(twice[*range.first].log_thickness, once[*range.first].log_thickness);
-}
-
 TEST(Merge_features_test, do_not_depend_on_motion_and_size)
 {
   for (Family family : {Family::SPHERE, Family::BLOCKS, Family::TORUS, Family::SHEET})
@@ -233,8 +200,8 @@ TEST(Merge_features_test, do_not_depend_on_motion_and_size)
       const Graph graph = annotated_soup(soup, labels);
       const auto same = identity(graph.number_of_regions());
       expect_same_features(graph, annotated_soup(scaled(soup, 0.037), labels), same);
-      expect_same_features(graph, annotated_soup(translated(turned(soup), 3.3, -7.1, 0.9), labels),
-                           same);
+      expect_same_features(
+        graph, annotated_soup(translated(rotated(soup, 0.7, 1.9), 3.3, -7.1, 0.9), labels), same);
     }
 }
 

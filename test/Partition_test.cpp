@@ -21,16 +21,6 @@ namespace RS = CGAL::Region_segmentation;
 using RS::Partition;
 using namespace test;
 
-TEST(Partition_test, numbers_labels_by_their_first_element)
-{
-  const auto p = Partition::from_labels(std::vector<int>{7, -1, 7, 0, -1});
-  EXPECT_EQ(labels_of(p), (Labels{0, 1, 0, 2, 1}));
-  EXPECT_EQ(p.size(), 5u);
-  EXPECT_EQ(p.number_of_parts(), 3u);
-  EXPECT_EQ(p[3], 2u);
-  EXPECT_EQ(p[4], 1u);
-}
-
 TEST(Partition_test, labels_of_every_width_stay_different)
 {
   using Limits = std::numeric_limits<std::int64_t>;

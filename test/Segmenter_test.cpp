@@ -2,7 +2,6 @@
 
 #include "meshes.h"
 #include "oracles.h"
-#include "user_method.h"
 
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
@@ -77,14 +76,6 @@ Surface_mesh fine_dumbbell()
   return to_surface_mesh(triangulated(voxel_surface(voxels)));
 }
 
-double center_x(const Surface_mesh& mesh, Face f)
-{
-  double sum = 0;
-  for (auto v : vertices_around_face(mesh.halfedge(f), mesh))
-    sum += mesh.point(v).x() / 3;
-  return sum;
-}
-
 /// The edges of the plane of this x: the loop around a bar along the x axis.
 std::set<Edge> loop_at(const Surface_mesh& mesh, double x)
 {
@@ -110,6 +101,7 @@ TEST(Segmenter_test, gives_what_segment_gives)
     for (std::size_t k : {1, 2, 3, 7, 20, 39, 60, 1000}) {
       const auto np = RS::parameters::number_of_segments(k);
       expect_equal(RS::Segmenter(mesh, np), k, RS::Learned_merging());
+      EXPECT_EQ(segments_of(mesh, np), labels(RS::Segmenter(mesh, np), k)) << "by default";
       expect_equal(RS::Segmenter(mesh, np.method(visibility())), k, visibility());
       if (k <= 20) { // There are as many regions without a number.
         expect_equal(by_default, k, RS::Learned_merging());
@@ -122,16 +114,6 @@ TEST(Segmenter_test, gives_what_segment_gives)
     by_visibility.segment(map);
     EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::method(visibility())));
   });
-}
-
-TEST(Segmenter_test, a_given_number_is_that_of_asking_without_one)
-{
-  const Surface_mesh mesh = fine_dumbbell();
-  const RS::Segmenter segmenter(mesh, RS::parameters::number_of_segments(5));
-  auto map = face_map(mesh);
-  EXPECT_EQ(segmenter.number_of_segments(), 5u);
-  EXPECT_EQ(segmenter.segment(map), 5u);
-  EXPECT_EQ(RS::Segmenter(mesh).segment(map), 3u) << "chosen: two cubes and a bar";
 }
 
 TEST(Segmenter_test, writes_regions_and_tree)
@@ -236,16 +218,6 @@ TEST(Segmenter_test, can_be_cancelled)
 
 // Constraints
 
-/// No segment has faces on both sides of the plane.
-bool is_separated_at(const Surface_mesh& mesh, const Labels& labels, double x)
-{
-  std::set<std::size_t> before, behind;
-  for (auto f : mesh.faces())
-    (center_x(mesh, f) < x ? before : behind).insert(labels[f]);
-  return std::none_of(before.begin(), before.end(),
-                      [&](std::size_t l) { return behind.count(l) > 0; });
-}
-
 TEST(Segmenter_test, edges_that_separate_nothing_have_no_effect)
 {
   const Surface_mesh mesh = fine_dumbbell();
@@ -308,7 +280,8 @@ TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
     RS::Segmentation_cancelled);
   EXPECT_EQ(labels(segmenter, 4), before);
   segmenter.add_constraints(edge_map(mesh, loop));
-  EXPECT_TRUE(is_separated_at(mesh, labels(segmenter, 4), 11));
+  const auto faces = labels_of(RS::Partition::into_single_elements(num_faces(mesh)));
+  EXPECT_TRUE(separates(soup_of(mesh), loop, faces, labels(segmenter, 4)));
 }
 
 // Seeds
@@ -437,15 +410,14 @@ TEST(Segmenter_test, paths_between_equal_seeds_avoid_valleys)
   for (const Voxel& v : voxel_block({4, 1, 3}, {5, 10, 4}))
     voxels.push_back(v);
   const Surface_mesh mesh = to_surface_mesh(voxel_surface(voxels));
-  auto seeds = face_map(mesh, no_seed);
+  Labels values(num_faces(mesh), no_seed);
   const Face first = face_near(mesh, 3.5, 5.5, 3), second = face_near(mesh, 5.5, 5.5, 3);
-  put(seeds, first, 0);
-  put(seeds, second, 0);
-  const auto method = make_user_method(Single_faces(), RS::Smallest_region_first());
-  RS::Segmenter segmenter(mesh, RS::parameters::method(method));
-  ASSERT_EQ(segmenter.regions().number_of_parts(), num_faces(mesh));
-  segmenter.set_seeds(seeds);
-  const RS::Partition& regions = segmenter.regions();
+  values[first] = values[second] = 0;
+  const RS::Partition regions = RS::requested_regions(
+                                  RS::make_surface(mesh),
+                                  RS::Partition::into_single_elements(values.size()),
+                                  RS::Seeds::from_values(values))
+                                  .regions;
   ASSERT_EQ(regions[first], regions[second]);
   std::size_t number = 0;
   for (Face f : mesh.faces())

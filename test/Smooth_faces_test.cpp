@@ -103,15 +103,6 @@ std::size_t number_of_labels(const Labels& labels)
   return std::set<std::size_t>(labels.begin(), labels.end()).size();
 }
 
-/// Whether faces with equal labels in `finer` have equal ones in `coarser`.
-bool is_refinement(const Labels& finer, const Labels& coarser)
-{
-  std::set<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t f = 0; f < finer.size(); ++f)
-    pairs.insert({finer[f], coarser[f]});
-  return pairs.size() == number_of_labels(finer);
-}
-
 Labels smooth_faces(const Soup& soup)
 {
   return segments_of(to_surface_mesh(soup), RS::parameters::method(RS::Smooth_faces()));
@@ -162,7 +153,7 @@ TEST(Smooth_faces_test, faces_without_area_are_no_bridges)
   Labels found = smooth_faces(soup);
   EXPECT_EQ(number_of_labels(found), 3u);
   found.erase(found.begin(), found.begin() + 2);
-  EXPECT_TRUE(is_refinement(found, cylinder.truth) && is_refinement(cylinder.truth, found));
+  EXPECT_TRUE(nests(found, cylinder.truth) && nests(cylinder.truth, found));
 }
 
 /// A third triangle on an edge of a cube: it is a component of its own, so small that it is a
@@ -190,16 +181,6 @@ TEST(Smooth_faces_test, separates_the_sides_of_a_prism)
   }
 }
 
-TEST(Smooth_faces_test, separates_fillets_from_planes)
-{
-  for (int steps : {3, 4, 6, 9, 18}) {
-    const Labelled block = filleted_block(steps);
-    EXPECT_EQ(smooth_faces(block.soup), block.truth) << steps;
-    EXPECT_EQ(smooth_faces(scaled(block.soup, 1000)), block.truth) << steps;
-    EXPECT_EQ(smooth_faces(translated(block.soup, 30, -20, 10)), block.truth) << steps;
-  }
-}
-
 /// A crease of less than the angle between facets of other cylinders.
 TEST(Smooth_faces_test, separates_planes_at_a_shallow_crease)
 {
@@ -211,12 +192,6 @@ TEST(Smooth_faces_test, separates_planes_at_a_shallow_crease)
     const Labelled part = prism(profile, 3);
     EXPECT_EQ(smooth_faces(part.soup), part.truth) << angle;
   }
-}
-
-TEST(Smooth_faces_test, a_smooth_surface_is_one_face)
-{
-  for (const Soup& soup : {sphere(3), sphere(4), torus(40, 20)})
-    EXPECT_EQ(smooth_faces(soup), Labels(soup.polygons.size(), 0));
 }
 
 /// Whether labels of some faces of the soup are all different.
@@ -238,7 +213,7 @@ TEST(Smooth_faces_test, merges_on_when_a_number_is_given)
   for (std::size_t k : {10, 9, 6, 3, 2, 1}) {
     EXPECT_EQ(segmenter.segment(map, k), k);
     const Labels labels = labels_of(mesh, map);
-    EXPECT_TRUE(is_refinement(finer, labels)) << k;
+    EXPECT_TRUE(nests(finer, labels)) << k;
     // Fillets, which are faces 2, 4, 6 and 8, join the planes beside them first.
     EXPECT_TRUE(k < 6 || are_separate(labels, block.truth, {0, 1, 3, 5, 7, 9})) << k;
     finer = labels;
@@ -388,15 +363,6 @@ TEST(Smooth_faces_test, keeps_constrained_edges)
   const Labels labels = segments_of(
     mesh, RS::parameters::method(RS::Smooth_faces()).edge_is_constrained_map(drawn));
   EXPECT_EQ(number_of_labels(labels), 4u);
-}
-
-TEST(Smooth_faces_test, accepts_borders_and_degenerate_faces)
-{
-  EXPECT_EQ(number_of_labels(smooth_faces(grid(3, 4))), 1u);
-  for (Family family : all_families) {
-    const Soup soup = random_mesh(family, 7);
-    EXPECT_EQ(smooth_faces(soup).size(), soup.polygons.size());
-  }
 }
 
 TEST(Surface_face_cost_test, is_as_documented)

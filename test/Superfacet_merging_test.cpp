@@ -98,11 +98,6 @@ TYPED_TEST(Superfacet_merging, there_are_as_many_segments_as_are_asked_for)
 {
   expect_every_number<TypeParam>(sphere(3));
   expect_every_number<TypeParam>(sphere(4));
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      expect_every_number<TypeParam>(random_mesh(family, seed));
-    }
 }
 
 TYPED_TEST(Superfacet_merging, there_are_as_many_segments_as_are_asked_for_where_patches_are_few)
@@ -144,20 +139,6 @@ TYPED_TEST(Superfacet_merging, no_segment_keeps_degenerate_faces_alone_when_bord
     }
 }
 
-TEST(Learned_merging_test, is_the_default_and_needs_no_number)
-{
-  const Surface_mesh mesh = to_surface_mesh(random_mesh(Family::BLOCKS, 4));
-  const Result by_default = run(mesh, RS::parameters::number_of_segments(5));
-  const Result by_name = run(mesh,
-                             RS::parameters::number_of_segments(5).method(RS::Learned_merging()));
-  EXPECT_EQ(by_default.segments, by_name.segments);
-  EXPECT_EQ(by_default.regions, by_name.regions);
-
-  const Result chosen = run(mesh, RS::parameters::default_values());
-  EXPECT_EQ(chosen.segments,
-            labels_of(chosen.regions, chosen.tree.partition_at_count(chosen.number_of_segments)));
-}
-
 TYPED_TEST(Superfacet_merging, does_not_depend_on_the_numbering)
 {
   for (unsigned seed = 1; seed <= 8; ++seed) {
@@ -191,29 +172,6 @@ TYPED_TEST(Superfacet_merging, does_not_depend_on_the_numbering)
     expect_same(TestFixture::segment(soup, 200), TestFixture::segment(other, 200));
     expect_same(TestFixture::segment(soup), TestFixture::segment(other));
   }
-}
-
-TEST(Learned_merging_test, an_isolated_vertex_changes_nothing)
-{
-  const Soup soup = random_mesh(Family::SPHERE, 1);
-  Surface_mesh mesh = to_surface_mesh(soup), same = mesh;
-  same.add_vertex(Surface_mesh::Point(1e9, -1e9, 1e9));
-  const auto np = RS::parameters::number_of_segments(5);
-  EXPECT_EQ(run(same, np).segments, run(mesh, np).segments);
-}
-
-TYPED_TEST(Superfacet_merging, gives_something_sensible_where_there_is_nothing)
-{
-  EXPECT_EQ(TestFixture::chosen_number(sphere(3)), 1u);
-  EXPECT_EQ(TestFixture::chosen_number(joined(sphere(1), translated(sphere(1), 5, 0, 0))), 2u);
-  Soup triangle;
-  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  triangle.polygons = {{0, 1, 2}};
-  Soup flat = triangle, point = triangle; // no area at all
-  flat.points[2] = {2, 0, 0};
-  point.points = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-  for (const Soup& soup : {triangle, flat, point})
-    EXPECT_EQ(TestFixture::segment(soup), Labels{0});
 }
 
 /// Balls in a row that overlap a little, with round necks between them; `truth`: the ball of each
@@ -267,13 +225,8 @@ TEST(Learned_merging_test, finds_two_balls_under_noise)
   for (const double deviation : {0.007, 0.014}) // a quarter of the edges at most
     for (const unsigned seed : {1, 2, 3}) {
       SCOPED_TRACE(std::to_string(deviation) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      std::normal_distribution<double> moves(0, deviation);
-      const Soup noisy = mapped(soup, [&](const Point& p) {
-        const double x = moves(random), y = moves(random), z = moves(random);
-        return Point{p[0] + x, p[1] + y, p[2] + z};
-      });
-      const Labels labels = Superfacet_merging<RS::Learned_merging>::segment(noisy, 2);
+      const Labels labels = Superfacet_merging<RS::Learned_merging>::segment(
+        with_noise(soup, deviation, seed), 2);
       EXPECT_LT(RS::rand_index_distance(labels, truth), 0.06);
     }
 }

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -44,9 +43,7 @@ Graph annotated(const RS::Surface& surface, const RS::Partition& regions)
 
 RS::Partition face_each(const RS::Surface& mesh)
 {
-  std::vector<RS::Partition::Index> numbers(mesh.number_of_faces());
-  std::iota(numbers.begin(), numbers.end(), RS::Partition::Index(0));
-  return RS::Partition(numbers, numbers.size());
+  return RS::Partition::into_single_elements(mesh.number_of_faces());
 }
 
 /// Triangles that do not touch: long and thin, in any direction.
@@ -121,12 +118,8 @@ TEST(Ray_tree_test, finds_what_a_look_at_every_triangle_finds)
     SCOPED_TRACE("needles, seed " + std::to_string(seed));
     EXPECT_GT(compare_hits(needles(400, seed), seed), 20u);
   }
-}
-
-TEST(Ray_tree_test, finds_them_in_trees_of_many_boxes)
-{
-  for (const Soup& soup : {needles(6000, 1), triangulated(torus(150, 60))})
-    EXPECT_GT(compare_hits(soup, 1), 20u);
+  for (const Soup& of_many_boxes : {needles(6000, 1), triangulated(torus(150, 60))})
+    EXPECT_GT(compare_hits(of_many_boxes, 1), 20u);
 }
 
 TEST(Ray_tree_test, a_ray_that_is_not_a_number_hits_nothing)

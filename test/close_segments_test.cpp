@@ -18,7 +18,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -227,15 +226,6 @@ TEST(Close_segments_test, random_segments_fit)
     std::replace(labels.begin(), labels.end(), std::size_t(-1), std::size_t(0));
     expect_fitting(triangles, close<Surface_mesh>(triangles, labels));
   });
-}
-
-TEST(Close_segments_test, the_border_of_an_open_mesh_is_closed)
-{
-  const Solids solids = close<Surface_mesh>(cap(), Labels(cap().polygons.size(), 7));
-  EXPECT_EQ(solids.soups.size(), 1u);
-  EXPECT_FALSE(solids.segments_of_cap.empty());
-  EXPECT_TRUE(close<Surface_mesh>(Soup(), {}).soups.empty());
-  EXPECT_TRUE(close<Surface_mesh>(torus(8, 6), Labels(48, 1)).segments_of_cap.empty());
 }
 
 TEST(Real_meshes_close_segments, bands_of_real_meshes_fit)

@@ -156,11 +156,6 @@ TEST(Detect_feature_edges_test, constraints_that_throw_leave_the_map_as_it_was)
   EXPECT_EQ(std::count(marks.begin(), marks.end(), true), std::ptrdiff_t(marks.size()));
 }
 
-TEST(Detect_feature_edges_test, takes_an_empty_mesh)
-{
-  EXPECT_EQ(features(Soup(), {}).size(), 0u);
-}
-
 // An edge that ends inside a face has that face on both sides.
 //     3-----2
 //     |  4  |      the face is 0 1 2 3 0 4; the edge 0-4 ends inside it

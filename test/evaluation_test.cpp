@@ -53,22 +53,10 @@ Soup strip()
   });
 }
 
-/// A wavy torus of nu x nv quads, every third of them split in two triangles: closed.
-Soup wavy_torus(std::size_t nu, std::size_t nv)
+/// A closed surface of quads that are not flat.
+Soup bumpy_torus()
 {
-  const Soup quads = mapped(torus(nu, nv), [](const Point& p) {
-    const double s = 1 + 0.1 * std::sin(3 * std::atan2(p[1], p[0]));
-    return Point{s * p[0], s * p[1], s * p[2]};
-  });
-  Soup soup{quads.points, {}};
-  for (const Polygon& q : quads.polygons)
-    if (soup.polygons.size() % 3 == 0) {
-      soup.polygons.push_back({q[0], q[1], q[2]});
-      soup.polygons.push_back({q[0], q[2], q[3]});
-    } else {
-      soup.polygons.push_back(q);
-    }
-  return soup;
+  return random_mesh(Family::TORUS, 1);
 }
 
 /// Labels in the order of the faces.
@@ -122,17 +110,6 @@ void expect_near(const Scores& a, const Scores& b, double tolerance)
 {
   for (std::size_t i = 0; i < numbers(a).size(); ++i)
     EXPECT_NEAR(numbers(a)[i], numbers(b)[i], tolerance) << "measure " << i;
-}
-
-/// The documented ranges and orders.
-bool is_in_range(const Scores& s)
-{
-  const std::vector<double> all = numbers(s);
-  return std::all_of(all.begin(), all.end() - 1, [](double x) { return 0 <= x && x <= 1; }) &&
-         s.hamming.distance < 1 && s.consistency.global < 1 && s.consistency.global_by_area < 1 &&
-         s.consistency.local <= s.consistency.global &&
-         s.consistency.local_by_area <= s.consistency.global_by_area &&
-         (!s.cut || (0 <= *s.cut && std::isfinite(*s.cut)));
 }
 
 Labels random_labels(std::size_t size, int number_of_labels, std::mt19937& random)
@@ -410,12 +387,11 @@ TEST(Rand_index_distance, takes_a_segment_a_face)
 
 TEST(Measures, agree_with_their_definitions)
 {
-  const Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
+  const Surface_mesh mesh = to_surface_mesh(bumpy_torus());
   const std::vector<double> areas = areas_of(mesh), ones(num_faces(mesh), 1);
   const auto distances = all_distances(mesh);
   for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
     const Scores s = scores(mesh, a, b);
-    EXPECT_TRUE(is_in_range(s));
     const auto [global, local] = consistency_by_faces(a, b, ones);
     const auto [global_by_area, local_by_area] = consistency_by_faces(a, b, areas);
     expect_near(s,
@@ -459,7 +435,7 @@ TEST(Measures, cut_discrepancy_follows_shortest_paths)
 
 TEST(Measures, do_not_depend_on_the_names_of_segments)
 {
-  const Surface_mesh mesh = to_surface_mesh(wavy_torus(20, 12));
+  const Surface_mesh mesh = to_surface_mesh(bumpy_torus());
   for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
     std::vector<std::int64_t> sparse;
     for (int label : a)
@@ -476,8 +452,8 @@ TEST(Measures, do_not_depend_on_the_names_of_segments)
 
 TEST(Measures, are_the_same_bits_on_every_mesh_type)
 {
-  const Surface_mesh mesh = to_surface_mesh(wavy_torus(20, 12));
-  const Polyhedron polyhedron = to_mesh<Polyhedron>(wavy_torus(20, 12));
+  const Surface_mesh mesh = to_surface_mesh(bumpy_torus());
+  const Polyhedron polyhedron = to_mesh<Polyhedron>(bumpy_torus());
   for_random_labelings(num_faces(mesh), [&](const Labels& a, const Labels& b) {
     EXPECT_EQ(numbers(scores(mesh, a, b)), numbers(scores(polyhedron, a, b)));
   });
@@ -485,14 +461,14 @@ TEST(Measures, are_the_same_bits_on_every_mesh_type)
 
 TEST(Measures, do_not_depend_on_scale)
 {
-  const Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
+  const Surface_mesh mesh = to_surface_mesh(bumpy_torus());
   std::mt19937 random(5);
   const Labels a = random_labels(num_faces(mesh), 4, random),
                b = random_labels(num_faces(mesh), 6, random);
   const Scores expected = scores(mesh, a, b);
   // Squares of lengths leave the range of double; at -1000 small coordinates lose bits.
   for (int exponent : {-1000, -600, -7, 600, 1000}) {
-    const Soup soup = scaled(wavy_torus(9, 7), std::ldexp(1, exponent));
+    const Soup soup = scaled(bumpy_torus(), std::ldexp(1, exponent));
     SCOPED_TRACE(exponent);
     expect_near(scores(to_surface_mesh(soup), a, b), expected, exponent > -1000 ? 0 : 1e-12);
   }
@@ -519,7 +495,7 @@ TEST(Measures, read_points_by_the_map_that_is_given)
 /// Nothing of a face that was removed, or of a vertex without faces, counts.
 TEST(Measures, ignore_what_was_removed)
 {
-  Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
+  Surface_mesh mesh = to_surface_mesh(bumpy_torus());
   auto a = mesh.add_property_map<Face, int>("f:a").first;
   auto b = mesh.add_property_map<Face, int>("f:b").first;
   for (Face f : mesh.faces()) {
@@ -530,7 +506,8 @@ TEST(Measures, ignore_what_was_removed)
     CGAL::Euler::remove_face(halfedge(Face(Surface_mesh::size_type(i)), mesh), mesh);
   ASSERT_TRUE(mesh.has_garbage());
   const Scores before = scores(mesh, a, b);
-  EXPECT_TRUE(is_in_range(before));
+  mesh.add_vertex(Point_3(1e300, 0, 0));
+  EXPECT_EQ(numbers(scores(mesh, a, b)), numbers(before));
 
   Labels in_order_a, in_order_b;
   for (Face f : mesh.faces()) {
@@ -572,21 +549,6 @@ TEST(Measures, a_surface_without_area)
     EXPECT_EQ(numbers(scores(mesh, {0, 0, 1, 1}, {0, 1, 1, 1})),
               (std::vector<double>{0.5, 0, 0, 0, 0.25, 0.125, 0, 0, -1}));
   }
-}
-
-TEST(Measures, do_not_depend_on_unused_vertices)
-{
-  Surface_mesh mesh = to_surface_mesh(wavy_torus(9, 7));
-  const auto labels_by = [&mesh](std::size_t divisor) {
-    Labels labels(num_faces(mesh));
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      labels[f] = Labels::value_type(f / divisor);
-    return labels;
-  };
-  const Labels a = labels_by(10), b = labels_by(17);
-  const Scores before = scores(mesh, a, b);
-  mesh.add_vertex(Point_3(1e300, 0, 0));
-  EXPECT_EQ(numbers(scores(mesh, a, b)), numbers(before));
 }
 
 /// The square of its area underflows.

@@ -72,28 +72,6 @@ std::set<Edge> both(std::set<Edge> a, const std::set<Edge>& b)
 //      0--1--2--3--4
 const Soup sheet = grid(4, 3);
 
-TEST(Extract_feature_lines_test, a_line_inside_goes)
-{
-  const auto result = extract(sheet, both(borders(sheet), {{6, 7}, {7, 8}}));
-  EXPECT_EQ(result.features, borders(sheet));
-  ASSERT_EQ(result.lines.size(), 1u);
-  EXPECT_EQ(result.lines[0].size(), 15u); // closed: 14 edges, the first vertex again
-  EXPECT_EQ(result.lines[0].front(), result.lines[0].back());
-}
-
-TEST(Extract_feature_lines_test, a_line_from_border_to_border_stays)
-{
-  const std::set<Edge> across = {{2, 7}, {7, 12}, {12, 17}};
-  const auto result = extract(sheet, both(borders(sheet), across));
-  EXPECT_EQ(result.features, both(borders(sheet), across));
-  ASSERT_EQ(result.lines.size(), 3u);
-  EXPECT_EQ(std::count_if(result.lines.begin(), result.lines.end(),
-                          [](const Line& l) {
-                            return l == Line{2, 7, 12, 17} || l == Line{17, 12, 7, 2};
-                          }),
-            1);
-}
-
 TEST(Extract_feature_lines_test, short_lines_go_at_once)
 {
   // Two lines of one edge and one of two from the border meet in 7. Of the short ones neither may
@@ -104,13 +82,6 @@ TEST(Extract_feature_lines_test, short_lines_go_at_once)
   const std::set<Edge> features = {{5, 6}, {6, 7}, {7, 8}, {7, 12}};
   EXPECT_EQ(extract(sheet, features, RS::parameters::default_values(), 2).features,
             both(borders(sheet), {{5, 6}, {6, 7}}));
-}
-
-TEST(Extract_feature_lines_test, a_mesh_without_features_has_no_lines)
-{
-  const auto result = extract(cube(), {});
-  EXPECT_TRUE(result.features.empty());
-  EXPECT_TRUE(result.lines.empty());
 }
 
 TEST(Extract_feature_lines_test, lines_cover_the_features_once)

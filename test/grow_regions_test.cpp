@@ -23,7 +23,6 @@ struct Regions
 {
   Labels labels;
   std::size_t n;
-  std::set<Edge> features; // that remain
 };
 
 Regions grow(const Soup& soup, const std::set<Edge>& features,
@@ -37,7 +36,6 @@ Regions grow(const Soup& soup, const std::set<Edge>& features,
     mesh, feature_map, region_map,
     RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
   result.labels = labels_of(mesh, region_map);
-  result.features = marked_edges(mesh, feature_map);
   return result;
 }
 
@@ -64,23 +62,6 @@ TEST(Grow_regions_test, borders_that_coincide_are_edges)
   }
 }
 
-TEST(Grow_regions_test, cuts_a_sheet_and_clears_what_separates_nothing)
-{
-  //     10-11-12-13-14
-  //      | 4| 5| 6| 7|      2-7-12 cuts, 8-9 does not
-  //      5--6--7--8--9
-  //      | 0| 1| 2| 3|
-  //      0--1--2--3--4
-  const Soup sheet = grid(4, 2);
-  const auto result = grow(sheet, {{2, 7}, {7, 12}, {8, 9}}); // borders are not marked: they get
-                                                              // set
-  EXPECT_EQ(result.labels, (Labels{0, 0, 1, 1, 0, 0, 1, 1}));
-  EXPECT_EQ(result.n, 2u);
-  EXPECT_TRUE(result.features.count({2, 7}) && result.features.count({7, 12}));
-  EXPECT_FALSE(result.features.count({8, 9}));
-  EXPECT_EQ(result.features.size(), 2u + 12u);
-}
-
 TEST(Grow_regions_test, a_cap_joins_across_its_longest_edge)
 {
   const auto result = grow(cap(), {});
@@ -99,12 +80,6 @@ TEST(Grow_regions_test, a_mesh_of_degenerate_faces_alone)
   EXPECT_EQ(grow(line, {}).n, 1u);
   const Soup point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(grow(point, {}).n, 1u);
-}
-
-TEST(Grow_regions_test, an_empty_mesh_and_a_single_face)
-{
-  EXPECT_EQ(grow(Soup(), {}).n, 0u);
-  EXPECT_EQ(grow(grid(1, 1), {}).n, 1u);
 }
 
 /// Those of the reference implementation, with given features.

@@ -11,7 +11,6 @@
 
 #include "meshes.h"
 #include "oracles.h"
-#include "stages.h"
 
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
@@ -24,14 +23,8 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 #endif
-#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Graph/merge_regions.h>
-#include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
-#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 #include <CGAL/Region_segmentation/segment.h>
 #ifdef TEST_EIGEN
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
@@ -96,28 +89,6 @@ bool takes(const Soup& soup)
   return !soup.polygons.empty();
 }
 
-/// The stages one by one.
-template <typename Mesh>
-Result run_stages(const Mesh& mesh, const Options& options)
-{
-  Result result;
-  auto features = edge_map(mesh, std::uint8_t(1));
-  auto regions = face_map(mesh);
-  const auto apart = RS::parameters::component_links(false);
-  test::detect_feature_edges(mesh, features, options.features(), apart);
-  test::extract_feature_lines(mesh, features, CGAL::Emptyset_iterator());
-  test::grow_regions(mesh, features, regions);
-  auto graph = test::build_region_adjacency_graph(mesh, regions, apart);
-  const RS::Policy_phases<RS::Smallest_region_first, RS::Least_compact_region_first> steps{
-    {RS::Smallest_region_first(), 2 * options.k}, {RS::Least_compact_region_first(), options.k}};
-  result.tree = RS::merge_regions(graph, steps, options.k);
-  result.regions = labels_of(mesh, regions);
-  result.features = flags_of(mesh, features);
-  result.number_of_segments = graph.number_of_regions();
-  result.segments = labels_of(result.regions, result.tree.partition_at_count(options.k));
-  return result;
-}
-
 /// With the default method, for a number and for one that is chosen.
 template <typename Mesh>
 std::vector<Result> run_default(const Mesh& mesh, const Options& options)
@@ -157,20 +128,6 @@ void expect_as_surface_mesh(const Mesh& mesh, const Options& options)
   expect_default_as_surface_mesh(mesh, options);
 }
 
-/// A segmenter gives what segment() gives.
-template <typename Mesh>
-void expect_as_segmenter(const Mesh& mesh, const Options& options)
-{
-  const auto two_step = RS::parameters::method(options.method());
-  auto map = face_map(mesh);
-  RS::Segmenter(mesh).segment(map, 9);
-  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::number_of_segments(9)));
-  RS::Segmenter(mesh, two_step).segment(map, 9);
-  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, two_step.number_of_segments(9)));
-  RS::Segmenter(mesh).segment(map);
-  EXPECT_EQ(labels_of(mesh, map), segments_of(mesh, RS::parameters::default_values()));
-}
-
 template <typename Mesh>
 struct Mesh_types_test : ::testing::Test
 {};
@@ -198,11 +155,8 @@ TYPED_TEST(Mesh_types_test, gives_the_same_labels)
     options.k = 4;
     const TypeParam mesh = make<TypeParam>(soup);
     expect_as_surface_mesh(mesh, options);
-    expect_same(run_stages(mesh, options), run(mesh, options));
     // The types keep the order in which they were made, so these are the labels of the soup.
     expect_same(run(mesh, options), run(soup, options));
-    if (seed == 0)
-      expect_as_segmenter(mesh, options);
   });
   EXPECT_GE(meshes, 12u); // triangles alone come from three families
 }
@@ -364,17 +318,6 @@ TEST(Face_filtered_graph_test, gives_the_labels_of_its_part)
     for (std::size_t k : {1, 4})
       expect_as_surface_mesh(filtered, Options(k, reference::Convexity::all, 15));
   }
-}
-
-// Points in float: what the mesh holds counts, not what it was made from.
-TEST(Float_test, is_read_once_into_double)
-{
-  std::mt19937 random(3);
-  Soup soup = sphere(2); // its points are no floats
-  const auto mesh = make<CGAL::Surface_mesh<Float_kernel::Point_3>>(soup);
-  ASSERT_NE(soup_of(mesh).points, soup.points);
-  for (auto convexity : {reference::Convexity::all, reference::Convexity::convex})
-    expect_as_surface_mesh(mesh, Options(6, convexity, 14));
 }
 
 } // namespace

@@ -280,6 +280,16 @@ Soup translated(const Soup& soup, double x, double y, double z)
   return mapped(soup, [=](const Point& p) { return Point{p[0] + x, p[1] + y, p[2] + z}; });
 }
 
+Soup rotated(const Soup& soup, double about_z, double about_x)
+{
+  return mapped(soup, [=](const Point& p) {
+    const double x = std::cos(about_z) * p[0] - std::sin(about_z) * p[1],
+                 y = std::sin(about_z) * p[0] + std::cos(about_z) * p[1];
+    return Point{x, std::cos(about_x) * y - std::sin(about_x) * p[2],
+                 std::sin(about_x) * y + std::cos(about_x) * p[2]};
+  });
+}
+
 Soup joined(const Soup& a, const Soup& b)
 {
   Soup result = a;
@@ -346,6 +356,16 @@ void bump(Soup& soup, double amplitude, std::mt19937& random)
   for (Point& p : soup.points)
     for (double& x : p)
       x += on_lattice((2 * double(random()) / 4294967296.0 - 1) * amplitude);
+}
+
+Soup with_noise(const Soup& soup, double deviation, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> moves(0, deviation);
+  return mapped(soup, [&](const Point& p) {
+    const double x = moves(random), y = moves(random), z = moves(random);
+    return Point{p[0] + x, p[1] + y, p[2] + z};
+  });
 }
 
 void collapse_some(Soup& soup, std::size_t count, std::mt19937& random)

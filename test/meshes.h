@@ -112,6 +112,8 @@ Soup reversed(const Soup& soup);
 Soup mapped(const Soup& soup, const std::function<Point(const Point&)>& map);
 Soup scaled(const Soup& soup, double factor);
 Soup translated(const Soup& soup, double x, double y, double z);
+/// By two angles in radian, about the z axis and then about the x axis.
+Soup rotated(const Soup& soup, double about_z, double about_x);
 /// One mesh of two parts that do not touch.
 Soup joined(const Soup& a, const Soup& b);
 Soup joined(const std::vector<Soup>& soups);
@@ -125,6 +127,8 @@ void shuffle_vertices(Soup& soup, std::mt19937& random, std::vector<std::size_t>
 /// Moves every coordinate by at most `amplitude`, in steps of 2^-16: sums of a few are exact, and
 /// float holds them.
 void bump(Soup& soup, double amplitude, std::mt19937& random);
+/// All points moved by independent normal deviates, of this standard deviation for each coordinate.
+Soup with_noise(const Soup& soup, double deviation, unsigned seed);
 /// Lets some vertices coincide with a neighbor: needles, and faces without any extent.
 void collapse_some(Soup& soup, std::size_t count, std::mt19937& random);
 /// Moves some corners of triangles onto the opposite edge: caps.

@@ -62,21 +62,6 @@ TEST(Parameters_test, packs_of_cgal_are_taken)
   EXPECT_EQ(number_of_valleys(mesh, CGAL::parameters::vertex_point_map(points)), 1u);
 }
 
-TEST(Parameters_test, a_pack_can_be_kept_and_used_again)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto pack = RS::parameters::number_of_segments(2).method(
-    Options(2, reference::Convexity::all, 30).method());
-  const Labels expected = run(mesh, pack).segments;
-  for (int i = 0; i < 2; ++i) {
-    const Result result = run(mesh, pack);
-    EXPECT_EQ(result.segments, expected);
-    EXPECT_EQ(result.number_of_segments, 2u);
-    EXPECT_EQ(result.tree.number_of_regions(), 16u) << "those of the method in the pack";
-  }
-  EXPECT_NE(run(mesh, RS::parameters::number_of_segments(2)).tree.number_of_regions(), 16u);
-}
-
 TEST(Parameters_test, the_point_map_of_a_pack_counts_and_not_that_of_the_mesh)
 {
   const Surface_mesh mesh = to_surface_mesh(dumbbell());

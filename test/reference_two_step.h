@@ -5,7 +5,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_REFERENCE_TWO_STEP_H
 #define CGAL_REGION_SEGMENTATION_TEST_REFERENCE_TWO_STEP_H
 
-// A slow and obvious implementation of `two-step` (user manual, "The Two Steps, Exactly"), to
+// A slow and obvious implementation of `two-step` ("The Methods Exactly", "The Two Steps"), to
 // compare the package with. It knows polygon soups and the standard library only, and shares no
 // code with the package.
 //
@@ -21,8 +21,6 @@
 // Complexity, with F faces, R regions after growing: O(F log F) up to growing; each merge of step
 // one looks at all live regions, O(R^2) in total; each merge of step two looks at all pairs of live
 // regions, of which there are 2k at most.
-
-#include "reference_orientation.h"
 
 #include <algorithm>
 #include <array>
@@ -75,16 +73,14 @@ struct Merge
 
 struct Two_step_result
 {
-  std::vector<bool> is_degenerate;          // per face
   std::map<Edge, bool> is_feature_detected; // every edge; after item 2, before pruning
   std::map<Edge, bool> is_feature_pruned;   // every edge; after item 3
   std::map<Edge, bool> is_feature;          // every edge; after item 4
   std::vector<std::size_t> region_id;       // per face; after item 4
   std::size_t number_of_regions = 0;        // after item 4
   std::vector<Merge> merges;                // in order, step one and then step two
-  std::size_t number_of_merges_in_step_one = 0;
-  std::vector<std::size_t> segment_id; // per face; the labels
-  std::size_t number_of_segments = 0;  // n, which need not be k
+  std::vector<std::size_t> segment_id;      // per face; the labels
+  std::size_t number_of_segments = 0;       // n, which need not be k
 };
 
 inline Edge make_edge(std::size_t u, std::size_t v)
@@ -223,26 +219,13 @@ struct Mesh
   }
 };
 
-inline void check_points(const std::vector<Point>& points)
-{
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (const double coordinate : points[v])
-      if (!std::isfinite(coordinate))
-        throw std::invalid_argument("point " + std::to_string(v) + " is not finite");
-}
-
-inline std::map<Edge, Edge_faces> collect_edges(const std::vector<Point>& points,
-                                                const std::vector<Polygon>& polygons)
+inline std::map<Edge, Edge_faces> collect_edges(const std::vector<Polygon>& polygons)
 {
   std::map<Edge, Edge_faces> edges;
   for (std::size_t f = 0; f < polygons.size(); ++f) {
     const Polygon& polygon = polygons[f];
-    if (polygon.size() < 3)
-      throw std::invalid_argument("face " + std::to_string(f) + " has less than three vertices");
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const std::size_t source = polygon[i], target = polygon[(i + 1) % polygon.size()];
-      if (source >= points.size() || source == target)
-        throw std::invalid_argument("face " + std::to_string(f) + " has a bad vertex");
       Edge_faces& sides = edges[make_edge(source, target)];
       std::size_t& side = (source < target) ? sides.left : sides.right;
       if (side != none)
@@ -323,8 +306,7 @@ inline void find_joining_edge(Mesh& mesh, std::size_t f)
 inline Mesh read_mesh(const std::vector<Point>& points, const std::vector<Polygon>& polygons,
                       const Two_step_options& options)
 {
-  check_points(points);
-  Mesh mesh{points, polygons, options, collect_edges(points, polygons), {}};
+  Mesh mesh{points, polygons, options, collect_edges(polygons), {}};
   for (const Polygon& polygon : polygons)
     mesh.faces.push_back(measure_face(points, polygon));
   for (std::size_t f = 0; f < polygons.size(); ++f)
@@ -712,20 +694,15 @@ inline std::vector<std::size_t> number_segments(const std::vector<std::size_t>& 
   return segment_id;
 }
 
-// The whole method. Throws `std::invalid_argument` if a point is not finite or the soup is not an
-// oriented 2-manifold (no halfedge twice).
+// The whole method, of a soup whose closed components are not inside out. Throws
+// `std::invalid_argument` if the soup is not an oriented 2-manifold (no halfedge twice).
 inline Two_step_result two_step(const std::vector<Point>& points,
                                 const std::vector<Polygon>& polygons,
                                 const Two_step_options& options)
 {
-  collect_edges(points, polygons); // throws for what is no mesh
-  std::vector<Polygon> outward = polygons;
-  turn_outward(points, outward);
-  const Mesh mesh = read_mesh(points, outward, options);
+  const Mesh mesh = read_mesh(points, polygons, options);
 
   Two_step_result result;
-  for (const Face& face : mesh.faces)
-    result.is_degenerate.push_back(face.is_degenerate);
   result.is_feature_detected = detect_feature_edges(mesh);
   result.is_feature_pruned = prune_feature_lines(mesh, result.is_feature_detected);
   result.region_id = grow_regions(mesh, result.is_feature_pruned, result.number_of_regions);
@@ -733,7 +710,6 @@ inline Two_step_result two_step(const std::vector<Point>& points,
 
   Regions regions = build_regions(mesh, result.region_id);
   merge_step_one(regions, options, result.merges);
-  result.number_of_merges_in_step_one = result.merges.size();
   merge_step_two(regions, options, result.merges);
 
   result.segment_id = number_segments(result.region_id, result.number_of_regions, result.merges,

@@ -6,11 +6,9 @@
 
 #include "meshes.h"
 #include "oracles.h"
-#include "user_method.h"
 
+#include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Graph/requested_regions.h>
-#include <CGAL/Region_segmentation/Segmenter.h>
-#include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 #include <CGAL/Region_segmentation/segment.h>
 
@@ -73,18 +71,6 @@ TEST(Throwing_map_test, keeps_what_was_written_and_the_other_maps_are_untouched)
   EXPECT_EQ(tree.number_of_regions(), 2u);
 }
 
-TEST(Throwing_map_test, leaves_a_segmenter_as_it_was)
-{
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const RS::Segmenter segmenter(mesh);
-  Labels values(num_faces(mesh), 99);
-  std::size_t places = 3;
-  EXPECT_THROW(segmenter.segment(Map_of_few{&values, &places}, 3), Full);
-  places = num_faces(mesh);
-  segmenter.segment(Map_of_few{&values, &places}, 3);
-  EXPECT_EQ(values, segments_of(mesh, RP::number_of_segments(3)));
-}
-
 // A policy is not even initialized where nothing is to be merged: for step two of the paper that
 // takes quadratic time.
 
@@ -108,8 +94,8 @@ struct Unused_policy
 TEST(Unused_policy_test, as_many_segments_as_regions)
 {
   const RS::Surface surface = RS::make_surface(to_surface_mesh(cube()));
-  const RS::Requested_regions requested = RS::requested_regions(surface, Single_faces()(surface),
-                                                                RS::Seeds());
+  const RS::Requested_regions requested = RS::requested_regions(
+    surface, RS::Partition::into_single_elements(surface.number_of_faces()), RS::Seeds());
   for (const std::size_t k : {6, 100}) {
     auto graph = RS::build_region_adjacency_graph(surface, requested.regions);
     const RS::Merge_tree tree = RS::merge_requested_regions(surface, requested, graph,

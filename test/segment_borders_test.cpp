@@ -10,7 +10,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -66,6 +65,7 @@ void check_borders(const Soup& soup, const Labels& labels)
     return std::find(labels.begin(), labels.end(), label);
   };
   for (const Border& border : borders_of(mesh, labels)) {
+    EXPECT_NE(border.segment, std::size_t(RS::no_segment));
     EXPECT_TRUE(border.opposite_segment == RS::no_segment ||
                 first(border.segment) < first(border.opposite_segment));
     std::vector<std::size_t> line = {source(border.halfedges.front(), mesh)};
@@ -91,21 +91,6 @@ TEST(Extract_segment_borders_test, covers_every_edge_once_from_junction_to_junct
   for_each_random_mesh(all_families, 6, [&](const Soup& soup, unsigned seed) {
     check_borders(soup, random_labels(soup, 2 + seed, seed));
   });
-}
-
-TEST(Extract_segment_borders_test, faces_without_a_segment_are_across)
-{
-  const std::size_t none = RS::no_segment;
-  const std::vector<Border> borders = borders_of(to_surface_mesh(grid(3, 1)), {none, none, 4});
-  ASSERT_EQ(borders.size(), 1u);
-  EXPECT_EQ(borders[0].segment, 4u);
-  EXPECT_EQ(borders[0].opposite_segment, none);
-}
-
-TEST(Extract_segment_borders_test, bears_meshes_with_nothing_to_do)
-{
-  EXPECT_TRUE(borders_of(Surface_mesh(), {}).empty());
-  EXPECT_TRUE(borders_of(to_surface_mesh(cube()), Labels(6, 2)).empty());
 }
 
 } // namespace segment_borders_test

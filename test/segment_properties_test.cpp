@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the package promises of every segmentation, over random meshes.
+// Segmentations do not depend on the kind of maps, the place and the size of a mesh; what visitors
+// are told. (properties_test.cpp: any soup; reference_test.cpp: what the labels are.)
 
 #include "meshes.h"
 #include "oracles.h"
 #include "stages.h"
-#include "user_method.h"
 
-#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
@@ -20,11 +19,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
+#include <random>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,129 +31,6 @@ namespace segment_properties_test {
 namespace RS = CGAL::Region_segmentation;
 namespace RP = CGAL::Region_segmentation::parameters;
 using namespace test;
-
-enum class Method { TWO_STEP, VISIBILITY, LEARNED };
-
-/// A run by any method; features are those of two-step alone.
-Result run_by(Method method, const Soup& soup, const Options& options)
-{
-  const Surface_mesh mesh = to_surface_mesh(soup);
-  const auto run_with = [&](const auto& any_method) {
-    const auto np = RP::number_of_segments(options.k).method(any_method).component_links(false);
-    return options.constrained_edges.empty()
-             ? run(mesh, np)
-             : run(mesh, np.edge_is_constrained_map(edge_map(mesh, options.constrained_edges)));
-  };
-  return method == Method::TWO_STEP     ? run(mesh, options)
-         : method == Method::VISIBILITY ? run_with(RS::Visibility_merging())
-                                        : run_with(RS::Learned_merging());
-}
-
-struct Properties_test : ::testing::TestWithParam<std::tuple<Method, Family>>
-{
-  static Method method() { return std::get<0>(GetParam()); }
-  static Family family() { return std::get<1>(GetParam()); }
-
-  static Result run(const Soup& soup, const Options& options)
-  {
-    return run_by(method(), soup, options);
-  }
-
-  /// Calls `f(soup, options, random)` for meshes of the family, with their seeds in the trace.
-  template <typename F>
-  void for_each_mesh(unsigned seeds, F f) const
-  {
-    for (unsigned seed = 0; seed < seeds; ++seed) {
-      SCOPED_TRACE(name(family()) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed + 5000);
-      const Soup soup = random_mesh(family(), seed + 5000);
-      f(soup, random_options(random), random);
-      if (HasFatalFailure())
-        return;
-    }
-  }
-};
-
-/// What only two-step has: feature edges, and foreign maps of every kind.
-struct Two_step_properties_test : Properties_test
-{};
-struct Closed_surfaces_test : Properties_test
-{};
-
-TEST_P(Properties_test, labels_are_dense_ordered_and_connected)
-{
-  for_each_mesh(12, [](const Soup& soup, Options options, std::mt19937& random) {
-    if (random() % 2)
-      options.constrained_edges = random_edges(soup, 10, random);
-    const Result result = run(soup, options);
-    const std::size_t n = result.number_of_segments;
-    EXPECT_TRUE(is_numbered_by_first_face(result.segments, n));
-    EXPECT_TRUE(is_numbered_by_first_face(result.regions, result.tree.number_of_regions()));
-    EXPECT_TRUE(is_connected(soup, result.regions, options.constrained_edges));
-    EXPECT_TRUE(is_connected(soup, result.segments, options.constrained_edges));
-    EXPECT_TRUE(nests(result.regions, result.segments));
-    EXPECT_TRUE(separates(soup, options.constrained_edges, result.regions, result.segments));
-    EXPECT_LE(n, result.tree.number_of_regions());
-    EXPECT_GE(n, number_of_components(soup));
-    if (options.constrained_edges.empty()) {
-      const std::size_t reachable = (std::max)(options.k, number_of_components(soup));
-      EXPECT_EQ(n, (std::min)(reachable, result.tree.number_of_regions()));
-    } else if (n != options.k) {
-      EXPECT_EQ(result.tree.merges().size(), result.tree.number_of_regions() - n);
-    }
-  });
-}
-
-TEST_P(Properties_test, segmentations_of_one_tree_nest)
-{
-  for_each_mesh(10, [](const Soup& soup, Options options, std::mt19937&) {
-    options.k = 1;
-    const Result result = run(soup, options);
-    Labels finer = result.regions;
-    for (std::size_t k = result.tree.number_of_regions(); k >= result.number_of_segments && k > 0;
-         --k) {
-      const auto partition = result.tree.partition_at_count(k);
-      ASSERT_EQ(partition.number_of_parts(), k);
-      const Labels labels = labels_of(result.regions, partition);
-      ASSERT_TRUE(is_numbered_by_first_face(labels, k));
-      ASSERT_TRUE(is_connected(soup, labels));
-      ASSERT_TRUE(nests(finer, labels));
-      finer = labels;
-    }
-    EXPECT_EQ(finer, result.segments);
-  });
-}
-
-struct Length_cost
-{
-  template <typename Graph>
-  double operator()(const Graph& g, typename Graph::section_descriptor s) const
-  {
-    return -g[s].length;
-  }
-};
-
-TEST_P(Two_step_properties_test, a_policy_that_does_not_know_k_gives_one_tree)
-{
-  for_each_mesh(5, [](const Soup& soup, Options options, std::mt19937&) {
-    const Surface_mesh mesh = to_surface_mesh(soup);
-    const auto method = make_user_method(
-      [two_step = options.method()](const RS::Surface& s) { return two_step.prepare(s).regions; },
-      RS::Lowest_cost_first<Length_cost>());
-    const auto with = [&](std::size_t k) {
-      return test::run(mesh, RP::number_of_segments(k).method(method));
-    };
-    const Result whole = with(1);
-    for (std::size_t k : {2, 3, 7, 20}) {
-      const Result direct = with(k);
-      ASSERT_EQ(labels_of(whole.regions, whole.tree.partition_at_count(k)), direct.segments);
-      // The tree is complete for every k.
-      ASSERT_EQ(direct.tree.merges().size(), whole.tree.merges().size());
-      for (std::size_t i = 0; i < whole.tree.merges().size(); ++i)
-        ASSERT_EQ(direct.tree.merges()[i].removed, whole.tree.merges()[i].removed);
-    }
-  });
-}
 
 // The same from foreign property maps
 
@@ -167,12 +42,14 @@ std::vector<std::size_t> random_order(std::size_t size, std::mt19937& random)
   return order;
 }
 
-TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
+TEST(Foreign_maps_test, give_the_same_labels)
 {
-  for_each_mesh(6, [](const Soup& soup, const Options& options, std::mt19937& random) {
+  for_each_random_mesh(all_families, 6, [](const Soup& soup, unsigned seed) {
+    std::mt19937 random(seed);
+    const Options options = random_options(random);
     Surface_mesh mesh = to_surface_mesh(soup);
     const auto by_default = RP::number_of_segments(options.k);
-    const Result expected = test::run(mesh, options), learned = test::run(mesh, by_default);
+    const Result expected = run(mesh, options), learned = run(mesh, by_default);
     using Vertex = Surface_mesh::Vertex_index;
     using Face = Surface_mesh::Face_index;
 
@@ -196,136 +73,83 @@ TEST_P(Two_step_properties_test, foreign_maps_give_the_same_labels)
         .vertex_index_map(number_of_vertex);
     };
     expect_same(
-      test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_reference); }),
+      run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_reference); }),
       expected);
-    expect_same(
-      test::run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }),
-      expected);
-    expect_same(test::run(mesh, options, all_foreign), expected);
-    expect_same(test::run(mesh, all_foreign(by_default)), learned);
+    expect_same(run(mesh, options, [&](const auto& np) { return np.vertex_point_map(by_value); }),
+                expected);
+    expect_same(run(mesh, options, all_foreign), expected);
+    expect_same(run(mesh, all_foreign(by_default)), learned);
   });
 }
 
-// The same under changes of the mesh
+// The same after motions
 
-TEST_P(Properties_test, scaling_by_a_power_of_two_changes_no_bit)
+/// Expects that soups have the labels of another one, by each method that has a tree.
+void expect_same_labels(const std::vector<Soup>& moved, const Soup& soup, const Options& options)
 {
-  for_each_mesh(5, [](const Soup& soup, const Options& options, std::mt19937&) {
-    const Result expected = run(soup, options);
-    for (int exponent : {-1000, -600, -1, 10, 600, 1010}) {
-      const Result result = run(scaled(soup, std::ldexp(1, exponent)), options);
-      expect_same(result, expected);
-      ASSERT_EQ(result.tree.merges().size(), expected.tree.merges().size());
-      for (std::size_t i = 0; i < expected.tree.merges().size(); ++i)
-        EXPECT_EQ(result.tree.merges()[i].removed, expected.tree.merges()[i].removed);
-    }
-  });
+  const auto expect_by = [&](const auto& method) {
+    const auto np = RP::number_of_segments(options.k).method(method).component_links(false);
+    const Result expected = run(to_surface_mesh(soup), np);
+    for (const Soup& other : moved)
+      expect_same(run(to_surface_mesh(other), np), expected);
+  };
+  expect_by(options.method());
+  expect_by(RS::Visibility_merging());
+  expect_by(RS::Learned_merging());
 }
 
-TEST_P(Properties_test, an_exact_offset_of_a_million_diameters_changes_no_bit)
+TEST(Motion_test, an_exact_offset_of_a_million_diameters_changes_no_label)
 {
   // Coordinates are multiples of 2^-16 below 2^7; the offsets keep them within 53 bits.
-  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937&) {
-    expect_same(run(translated(soup, 1 << 27, -(1 << 26), 3 * (1 << 25)), options),
-                run(soup, options));
+  for_each_random_mesh(all_families, 8, [](const Soup& soup, unsigned seed) {
+    std::mt19937 random(seed);
+    expect_same_labels({translated(soup, 1 << 27, -(1 << 26), 3 * (1 << 25))}, soup,
+                       random_options(random));
   });
 }
 
-// A flat cap is degenerate by its exact coordinates; moved, it may be so no more.
-bool is_stable(Family family)
+TEST(Motion_test, rotation_and_scaling_change_no_label)
 {
-  return !has_degenerate_faces(family);
-}
-
-TEST_P(Properties_test, motion_and_scaling_change_no_label)
-{
-  if (!is_stable(family()))
-    GTEST_SKIP() << "flat caps do not survive rounding";
-  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
-    const Result expected = run(soup, options);
-    const double a = double(random() % 1000), b = double(random() % 1000);
-    const auto rotated = mapped(soup, [=](const Point& p) {
-      const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
-                   y = std::sin(a) * p[0] + std::cos(a) * p[1];
-      return Point{x, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2]};
-    });
-    const Soup& base = soup;
-    for (const Soup& moved :
-         {rotated, translated(rotated, 0.1, 1000.3, -7), translated(base, 1.1e7, -2.3e7, 0.7e7),
-          scaled(rotated, 1e-30), scaled(base, 1e30), scaled(base, 3), scaled(base, 1e-90),
-          scaled(base, 1e90)})
-      expect_same(run(moved, options), expected);
+  for_each_random_mesh(all_families, 8, [](const Soup& base, unsigned seed) {
+    if (number_of_proper_faces(base) < base.polygons.size())
+      return; // a flat cap is degenerate by its exact coordinates; moved, it may be so no more
+    std::mt19937 random(seed);
+    const Options options = random_options(random);
+    const double about_z = double(random() % 1000), about_x = double(random() % 1000);
+    const Soup turned = rotated(base, about_z, about_x);
+    expect_same_labels({turned, translated(turned, 0.1, 1000.3, -7),
+                        translated(base, 1.1e7, -2.3e7, 0.7e7), scaled(turned, 1e-30),
+                        scaled(base, 1e30), scaled(base, 3), scaled(base, std::ldexp(1, -1000)),
+                        scaled(base, std::ldexp(1, 1010))},
+                       base, options);
   });
 }
 
 // Where costs of other methods are equal, as on a regular torus, they go by number.
-TEST_P(Two_step_properties_test, renumbering_renames)
+TEST(Motion_test, renumbering_renames_the_segments_of_two_step)
 {
-  if (!is_stable(family()))
-    GTEST_SKIP() << "degenerate faces have ties, which go by number";
-  for_each_mesh(8, [](const Soup& soup, const Options& options, std::mt19937& random) {
-    const Result expected = run(soup, options);
+  for_each_random_mesh(all_families, 8, [](const Soup& soup, unsigned seed) {
+    if (number_of_proper_faces(soup) < soup.polygons.size())
+      return; // degenerate faces have ties, which go by number
+    std::mt19937 random(seed);
+    const Options options = random_options(random);
+    const Labels expected = run(soup, options).segments;
     Soup other = soup;
     std::vector<std::size_t> new_of_old;
     shuffle_vertices(other, random, new_of_old);
-    const Soup unshuffled = other;
-    const std::vector<std::size_t> order = random_order(soup.polygons.size(), random);
-    Labels segments, regions;
+    const std::vector<Polygon> polygons = other.polygons;
+    const std::vector<std::size_t> order = random_order(polygons.size(), random);
+    Labels in_order;
     for (std::size_t f = 0; f < order.size(); ++f) {
-      Polygon p = unshuffled.polygons[order[f]];
+      Polygon& p = other.polygons[f] = polygons[order[f]];
       std::rotate(p.begin(), p.begin() + std::ptrdiff_t(random() % p.size()), p.end());
-      other.polygons[f] = p;
-      segments.push_back(expected.segments[order[f]]);
-      regions.push_back(expected.regions[order[f]]);
+      in_order.push_back(expected[order[f]]);
     }
-    const Result result = run(other, options);
-    EXPECT_EQ(result.regions, renumbered(regions));
-    EXPECT_EQ(result.segments, renumbered(segments));
-    for (const auto& [edge, is_feature] : expected.features) // none, but of two-step
-      EXPECT_EQ(result.features.at(make_edge(new_of_old[edge.first], new_of_old[edge.second])),
-                is_feature);
+    EXPECT_EQ(run(other, options).segments, renumbered(in_order));
   });
 }
 
-TEST_P(Closed_surfaces_test, inside_out_have_the_same_labels)
-{
-  for_each_mesh(4, [](const Soup& soup, const Options& options, std::mt19937&) {
-    expect_same(run(reversed(soup), options), run(soup, options));
-  });
-}
-
-TEST_P(Closed_surfaces_test, are_turned_component_by_component)
-{
-  for_each_mesh(2, [](const Soup& soup, const Options& options, std::mt19937&) {
-    const Soup large = translated(scaled(soup, 4), 100, 0, 0);
-    const Result expected = run(joined(large, soup), options);
-    expect_same(run(joined(reversed(large), soup), options), expected);
-    expect_same(run(joined(reversed(large), reversed(soup)), options), expected);
-    expect_same(run(joined(large, reversed(soup)), options), expected);
-  });
-}
-
-std::string parameter_name(const ::testing::TestParamInfo<std::tuple<Method, Family>>& info)
-{
-  const char* const methods[] = {"two_step_", "visibility_", "learned_"};
-  return methods[int(std::get<0>(info.param))] + family_in_name(std::get<1>(info.param));
-}
-INSTANTIATE_TEST_SUITE_P(families, Properties_test,
-                         ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY,
-                                                              Method::LEARNED),
-                                            ::testing::ValuesIn(all_families)),
-                         parameter_name);
-INSTANTIATE_TEST_SUITE_P(
-  families, Closed_surfaces_test,
-  ::testing::Combine(::testing::Values(Method::TWO_STEP, Method::VISIBILITY, Method::LEARNED),
-                     ::testing::Values(Family::SPHERE, Family::TORUS, Family::BLOCKS)),
-  parameter_name);
-INSTANTIATE_TEST_SUITE_P(families, Two_step_properties_test,
-                         ::testing::Combine(::testing::Values(Method::TWO_STEP),
-                                            ::testing::ValuesIn(all_families)),
-                         parameter_name);
-
-// Bad input, and outputs that stay as they were
+// Visitors, and outputs that stay as they were
 
 struct Outputs
 {
@@ -360,26 +184,6 @@ struct Outputs
   Edge_map features;
   RS::Merge_tree tree{2};
 };
-
-TEST(Bad_input_test, a_point_that_is_not_finite_is_named)
-{
-  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity(),
-                     -std::numeric_limits<double>::infinity()})
-    for (int coordinate = 0; coordinate < 3; ++coordinate) {
-      Soup soup = dumbbell();
-      soup.points[7][coordinate] = bad;
-      const Surface_mesh mesh = to_surface_mesh(soup);
-      Outputs outputs(mesh);
-      EXPECT_TRUE(contains(message_of([&] { outputs.run(Options(2).named()); }), "vertex 7 "));
-      outputs.expect_untouched();
-      EXPECT_THROW(test::detect_feature_edges(mesh, outputs.features), RS::Invalid_input);
-      EXPECT_THROW(test::extract_feature_lines(mesh, outputs.features, CGAL::Emptyset_iterator()),
-                   RS::Invalid_input);
-      EXPECT_THROW(test::grow_regions(mesh, outputs.features, outputs.regions), RS::Invalid_input);
-      EXPECT_THROW(test::build_region_adjacency_graph(mesh, face_map(mesh, 0)), RS::Invalid_input);
-      outputs.expect_untouched();
-    }
-}
 
 struct Visitor
 {

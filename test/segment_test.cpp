@@ -4,9 +4,7 @@
 
 #include "meshes.h"
 #include "oracles.h"
-#include "user_method.h"
 
-#include <CGAL/Region_segmentation/Graph/Lowest_cost_first.h>
 #include <CGAL/Region_segmentation/Segmenter.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
@@ -20,8 +18,6 @@
 #include <ctime>
 #include <initializer_list>
 #include <limits>
-#include <random>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -132,64 +128,7 @@ TEST(Segment_test, constants_are_in_their_ranges)
   EXPECT_THROW(RS::Least_compact_region_first(0.1, -3), RS::Invalid_method);
 }
 
-struct Angle_cost // flat sections first
-{
-  template <typename Graph>
-  double operator()(const Graph& g, typename Graph::section_descriptor s) const
-  {
-    return -g[s].mean_angle();
-  }
-};
-
-TEST(Segment_test, takes_other_policies)
-{
-  // Single squares of a dumbbell, merged by angle: first all that is flat.
-  const Surface_mesh mesh = to_surface_mesh(dumbbell());
-  const auto method = make_user_method(Single_faces(), RS::Lowest_cost_first<Angle_cost>());
-  const Result result = run(mesh, RS::parameters::number_of_segments(16).method(method));
-  EXPECT_EQ(result.segments, run(dumbbell(), Options(16, all)).regions);
-}
-
 // Polygons
-
-template <typename Method>
-void test_polygons(const Soup& soup, const Surface_mesh& mesh, const Method& method,
-                   std::mt19937& random)
-{
-  const auto np = RS::parameters::number_of_segments(5).method(method);
-  const std::size_t size = soup.polygons.size();
-  Labels segments(size, 77);
-  RS::segment_polygon_soup(soup.points, soup.polygons, segments, np);
-  EXPECT_EQ(segments, segments_of(mesh, np));
-
-  const std::set<Edge> drawn = random_edges(soup, 8, random);
-  RS::segment_polygon_soup(soup.points, soup.polygons, segments,
-                           np.constrained_edges(std::vector<Edge>(drawn.begin(), drawn.end())));
-  EXPECT_EQ(segments, segments_of(mesh, np.edge_is_constrained_map(edge_map(mesh, drawn))));
-
-  Labels seeds(size, std::size_t(-1));
-  for (std::size_t i = 0; i < 4; ++i)
-    seeds[random() % size] = 10 * i;
-  RS::segment_polygon_soup(soup.points, soup.polygons, segments, np.face_seed_map(seeds));
-  EXPECT_EQ(segments, segments_of(mesh, np.face_seed_map(face_labels(mesh, seeds))));
-}
-
-TEST(Segment_test, polygons_have_the_labels_of_their_mesh)
-{
-  for (Family family : all_families)
-    for (unsigned seed = 1; seed <= 2; ++seed) {
-      if (has_degenerate_faces(family))
-        continue; // points that coincide are one
-      SCOPED_TRACE(name(family) + ", seed " + std::to_string(seed));
-      std::mt19937 random(seed);
-      Soup soup = random_mesh(family, seed);
-      const Surface_mesh mesh = to_surface_mesh(soup);
-      if (family == Family::SPHERE || family == Family::TORUS || family == Family::BLOCKS)
-        flip_some(soup, 2, random); // of any orientation
-      test_polygons(soup, mesh, RS::Learned_merging(), random);
-      test_polygons(soup, mesh, Options(1, all, 20).method(), random);
-    }
-}
 
 /// Labels 0 to 254 fit, 255 is `no_segment`; for a signed type 127 fits.
 TEST(Segment_test, maps_of_too_small_a_type_are_refused_before_anything_is_written)

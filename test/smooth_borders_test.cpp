@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -45,10 +44,7 @@ Labels smoothed_on(const Soup& soup, const Labels& labels, const RS::Minimum_cut
                    const std::set<Edge>& constrained)
 {
   const Mesh mesh = to_mesh<Mesh>(soup);
-  auto map = face_map(mesh);
-  std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(map, f, labels[i++]);
+  const auto map = face_labels(mesh, labels);
   const std::size_t changed = RS::smooth_borders(
     mesh, map, smoother,
     RS::parameters::component_links(false).edge_is_constrained_map(edge_map(mesh, constrained)));
@@ -122,11 +118,6 @@ Labels toothed(std::size_t nx = 16, std::size_t ny = 8)
     for (std::size_t x = 0; x < nx; ++x)
       labels.push_back(x < nx / 2 + y % 2 ? 0 : 1);
   return labels;
-}
-
-Edge vertical_edge(std::size_t x, std::size_t y, std::size_t nx = 16)
-{
-  return make_edge(y * (nx + 1) + x, (y + 1) * (nx + 1) + x);
 }
 
 TEST(Minimum_cut_test, finds_the_cheapest_of_all_cuts_and_moves_few_nodes)
@@ -262,21 +253,6 @@ TEST(Smooth_borders_test, the_band_ends_with_its_width)
   EXPECT_LT(length_within(1. / 16), 14);
 }
 
-TEST(Smooth_borders_test, a_constrained_line_keeps_its_border)
-{
-  // The teeth are constrained in the lower half of the sheet.
-  std::set<Edge> constrained;
-  for (std::size_t y = 0; y < 4; ++y) {
-    constrained.insert(vertical_edge(8 + y % 2, y));
-    constrained.insert(make_edge((y + 1) * 17 + 8, (y + 1) * 17 + 9));
-  }
-  const Labels labels = smoothed(grid(16, 8), toothed(), wide, constrained);
-  for (std::size_t y = 0; y < 4; ++y)
-    for (std::size_t x = 0; x < 16; ++x)
-      EXPECT_EQ(labels[y * 16 + x], toothed()[y * 16 + x]);
-  EXPECT_LT(border_length(grid(16, 8), labels), border_length(grid(16, 8), toothed()));
-}
-
 TEST(Smooth_borders_test, keeps_its_promises_on_random_meshes)
 {
   for (Family family : all_families)
@@ -315,37 +291,18 @@ TEST(Smooth_borders_test, pieces_of_one_label_stay_pieces)
   EXPECT_EQ(result[23], 0u);
 }
 
-TEST(Smooth_borders_test, takes_any_labels)
-{
-  const Surface_mesh mesh = to_surface_mesh(grid(16, 8));
-  const Labels teeth = toothed(), expected = smoothed(grid(16, 8), teeth);
-  std::map<Surface_mesh::Face_index, long long> labels;
-  for (auto f : mesh.faces())
-    labels[f] = teeth[f] ? -1000000000000 : 5;
-  EXPECT_GT(RS::smooth_borders(mesh, boost::make_assoc_property_map(labels), wide), 0u);
-  for (auto f : mesh.faces())
-    EXPECT_EQ(labels[f], expected[f] ? -1000000000000 : 5);
-}
-
 TEST(Smooth_borders_test, has_constants_of_its_own)
 {
   const Soup soup = grid(100, 50); // fine enough for a band of 0.03
   const Labels expected = smoothed(soup, toothed(100, 50), RS::Minimum_cut_borders());
   EXPECT_EQ(border_length(soup, expected), 50);
   const Surface_mesh mesh = to_surface_mesh(soup);
-  const auto restart = [&](auto& map) {
-    std::size_t i = 0;
-    const Labels labels = toothed(100, 50);
-    for (auto f : mesh.faces())
-      put(map, f, labels[i++]);
-  };
-  auto map = face_map(mesh);
-  restart(map);
+  const auto map = face_labels(mesh, toothed(100, 50));
   RS::smooth_borders(mesh, map);
   EXPECT_EQ(labels_of(mesh, map), expected);
-  restart(map);
-  RS::smooth_borders(mesh, map, {}, CGAL::parameters::vertex_point_map(mesh.points()));
-  EXPECT_EQ(labels_of(mesh, map), expected);
+  const auto other_map = face_labels(mesh, toothed(100, 50));
+  RS::smooth_borders(mesh, other_map, {}, CGAL::parameters::vertex_point_map(mesh.points()));
+  EXPECT_EQ(labels_of(mesh, other_map), expected);
 }
 
 TEST(Smooth_borders_test, bears_meshes_with_nothing_to_do)

@@ -7,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
-#include <random>
 #include <string>
 
 namespace RS = CGAL::Region_segmentation;
@@ -28,17 +26,6 @@ std::optional<RS::Surface> smooth_noise(const RS::Surface& surface)
   return RS::internal::without_noise(surface, RS::Execution());
 }
 
-/// All points moved by independent normal deviates, of this standard deviation for each coordinate.
-Soup noisy(const Soup& soup, double deviation, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::normal_distribution<double> moves(0, deviation);
-  return mapped(soup, [&](const Point& p) {
-    const double x = moves(random), y = moves(random), z = moves(random);
-    return Point{p[0] + x, p[1] + y, p[2] + z};
-  });
-}
-
 TEST(smooth_noise_test, leaves_what_has_no_noise)
 {
   const Soup block = voxel_surface(voxel_block({0, 0, 0}, {9, 3, 3}));
@@ -53,7 +40,7 @@ TEST(smooth_noise_test, leaves_what_has_no_noise)
 // All that depends on points is as if the surface had been made of them, but for lengths.
 TEST(smooth_noise_test, gives_the_surface_of_the_moved_points)
 {
-  Soup soup = noisy(joined(sphere(5), translated(torus(60, 24), 8, 0, 0)), 0.01, 7);
+  Soup soup = with_noise(joined(sphere(5), translated(torus(60, 24), 8, 0, 0)), 0.01, 7);
   soup.polygons.push_back(soup.polygons[3]); // given twice: degenerate
   const RS::Surface surface = surface_of(soup);
   const std::optional<RS::Surface> smoothed = smooth_noise(surface);

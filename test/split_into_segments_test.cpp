@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace RS = CGAL::Region_segmentation;
@@ -79,24 +78,6 @@ TEST(Split_into_segments_test, copies_every_segment_of_random_meshes)
     check_pieces<Surface_mesh, Polyhedron>(soup, labels);
     check_pieces<Surface_mesh, Other_mesh>(soup, labels);
   });
-}
-
-TEST(Split_into_segments_test, doubles_a_vertex_where_a_segment_touches_itself)
-{
-  // Two squares of one label meet at a corner alone: two components, 8 vertices.
-  check_pieces<Surface_mesh, Surface_mesh>(grid(2, 2), {0, 1, 1, 0});
-  const Surface_mesh mesh = to_surface_mesh(grid(2, 2));
-  std::vector<RS::Segment_piece<Surface_mesh, Surface_mesh, std::size_t>> pieces;
-  RS::split_into_segments(mesh, face_labels(mesh, {0, 1, 1, 0}), std::back_inserter(pieces));
-  ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_EQ(pieces[0].vertices.size(), 8u);
-}
-
-TEST(Split_into_segments_test, copies_a_closed_mesh_and_an_empty_one)
-{
-  check_pieces<Surface_mesh, Surface_mesh>(torus(8, 6), Labels(48, 5));
-  check_pieces<Surface_mesh, Surface_mesh>(Soup(), {});
-  check_pieces<Surface_mesh, Surface_mesh>(cube(), Labels(6, std::size_t(-1)));
 }
 
 } // namespace split_into_segments_test

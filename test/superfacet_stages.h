@@ -47,23 +47,16 @@ using Graph_of = CGAL::Region_segmentation::Region_adjacency_graph<typename Anno
 
 /// By the rays of these regions.
 template <typename Annotator>
-void annotate(Graph_of<Annotator>& graph, const CGAL::Region_segmentation::Surface& surface,
-              const CGAL::Region_segmentation::Partition& regions)
+Graph_of<Annotator> annotated(const CGAL::Region_segmentation::Surface& surface,
+                              const CGAL::Region_segmentation::Partition& regions)
 {
   namespace RS = CGAL::Region_segmentation;
+  auto graph = RS::build_region_adjacency_graph<typename Annotator::RegionData,
+                                                typename Annotator::SectionData>(surface, regions);
   const RS::Surface_patches patches = patches_of(surface);
   const auto rays = RS::internal::Inward_rays(surface, patches, regions).trace(RS::Execution());
   Annotator()(graph, surface, regions,
               RS::Region_rays{rays, RS::Region_shapes(surface, patches.fine, regions)});
-}
-
-template <typename Annotator>
-Graph_of<Annotator> annotated(const CGAL::Region_segmentation::Surface& surface,
-                              const CGAL::Region_segmentation::Partition& regions)
-{
-  auto graph = CGAL::Region_segmentation::build_region_adjacency_graph<
-    typename Annotator::RegionData, typename Annotator::SectionData>(surface, regions);
-  annotate<Annotator>(graph, surface, regions);
   return graph;
 }
 

@@ -78,7 +78,7 @@ struct Labelled_manifold : Manifold
     labels = values_of_mesh_faces(labels_of_soup);
   }
 
-  auto map() { return face_map(mesh, labels); }
+  auto map() { return segment_mesh::face_map(mesh, labels); }
 
   Labels labels_of_soup() const
   {

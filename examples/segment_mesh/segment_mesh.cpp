@@ -56,7 +56,7 @@ int main(int argc, char** argv)
     const std::optional<Options> options = parse_command_line(argc, argv);
     if (!options) // help or the like was written
       return std::cout.flush() ? DONE : FAILED;
-    const std::vector<Job> jobs = plan_jobs(*options, demo_model);
+    const std::vector<Job> jobs = plan_jobs(*options);
     std::optional<tbb::global_control> limit;
     if (options->number_of_threads > 0)
       limit.emplace(tbb::global_control::max_allowed_parallelism, options->number_of_threads);

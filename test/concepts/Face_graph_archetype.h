@@ -11,11 +11,13 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/iterator_facade.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/transform_iterator.hpp>
 
 #include <cstddef>
 #include <limits>
-#include <utility>
+#include <memory>
+#include <vector>
 
 namespace graph_archetypes {
 
@@ -34,26 +36,18 @@ using Edge = Descriptor<struct Edge_kind>;
 using Face = Descriptor<struct Face_kind>;
 
 template <typename Key>
-struct Iterator : boost::iterator_facade<Iterator<Key>, Key, std::random_access_iterator_tag, Key>
+struct Make_key
 {
-  std::ptrdiff_t place = 0;
-
-  Iterator() = default;
-  explicit Iterator(std::size_t p)
-    : place(std::ptrdiff_t(p))
-  {}
-  Key dereference() const { return Key{std::size_t(place)}; }
-  bool equal(const Iterator& other) const { return place == other.place; }
-  void increment() { ++place; }
-  void decrement() { --place; }
-  void advance(std::ptrdiff_t n) { place += n; }
-  std::ptrdiff_t distance_to(const Iterator& other) const { return other.place - place; }
+  Key operator()(std::size_t number) const { return {number}; }
 };
+template <typename Key>
+using Iterator = boost::transform_iterator<Make_key<Key>, boost::counting_iterator<std::size_t>>;
 
 template <typename Key>
 CGAL::Iterator_range<Iterator<Key>> first_keys(std::size_t n)
 {
-  return {Iterator<Key>(0), Iterator<Key>(n)};
+  return {Iterator<Key>(boost::counting_iterator<std::size_t>(0)),
+          Iterator<Key>(boost::counting_iterator<std::size_t>(n))};
 }
 
 /// A model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`.

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -144,12 +143,7 @@ public:
   Prepared_archetype& operator=(const Prepared_archetype&) = delete;
 
   /// Every face is a region.
-  RS::Partition regions() const
-  {
-    std::vector<std::size_t> labels(m_faces);
-    std::iota(labels.begin(), labels.end(), std::size_t(0));
-    return RS::Partition::from_labels(labels);
-  }
+  RS::Partition regions() const { return RS::Partition::into_single_elements(m_faces); }
 
 private:
   std::size_t m_faces;
@@ -216,12 +210,8 @@ public:
 Graph graph_of_cube()
 {
   const auto mesh = test::to_surface_mesh(test::cube());
-  auto map = test::face_map(mesh);
-  std::size_t i = 0;
-  for (auto f : faces(mesh))
-    put(map, f, i++);
-  return test::build_region_adjacency_graph<Region_data_archetype, Section_data_archetype>(mesh,
-                                                                                           map);
+  return test::build_region_adjacency_graph<Region_data_archetype, Section_data_archetype>(
+    mesh, test::face_labels(mesh, {0, 1, 2, 3, 4, 5}));
 }
 
 TEST(Archetypes_test, data)

@@ -30,7 +30,7 @@ std::vector<std::string> words_of(const std::string& text)
 
 void check_jobs(const Options& options)
 {
-  const std::vector<Job> jobs = plan_jobs(options, "model");
+  const std::vector<Job> jobs = plan_jobs(options);
   require(jobs.size() == options.inputs.size() + std::size_t(options.is_demo), "an input is a job");
   std::set<std::string> files;
   for (const Job& job : jobs) {

@@ -6,8 +6,6 @@
 
 #include "../Digest.h"
 
-#include "../Digest.h"
-
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/region_segmentation.h>
 

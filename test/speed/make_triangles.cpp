@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <utility>
+#include <unordered_map>
 
 namespace speed_benchmark {
 
@@ -16,48 +16,6 @@ namespace {
 
 using Point = Triangles::Point;
 using Index = std::uint32_t;
-
-/// The middles of the edges, numbered after the points as they are first met. An edge is kept with
-/// its lower end, in a slice that has room for all that the end can have.
-class Edge_middles
-{
-public:
-  explicit Edge_middles(const Triangles& triangles)
-    : m_points(triangles.points)
-    , m_first(triangles.points.size() + 1)
-  {
-    m_points.reserve(triangles.points.size() + triangles.corners.size() * 3 / 2);
-    for (const auto& t : triangles.corners)
-      for (std::size_t i = 0; i < 3; ++i)
-        ++m_first[std::min(t[i], t[(i + 1) % 3]) + 1];
-    for (std::size_t v = 1; v < m_first.size(); ++v)
-      m_first[v] += m_first[v - 1];
-    m_ends.assign(m_first.back(), {none, none});
-  }
-
-  Index operator()(Index u, Index v)
-  {
-    const auto [low, high] = std::minmax(u, v);
-    std::size_t place = m_first[low];
-    while (m_ends[place].first != none && m_ends[place].first != high)
-      ++place;
-    if (m_ends[place].first == none) {
-      m_ends[place] = {high, Index(m_points.size())};
-      const Point a = m_points[low], b = m_points[high];
-      m_points.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
-    }
-    return m_ends[place].second;
-  }
-
-  std::vector<Point> take_points() { return std::move(m_points); }
-
-private:
-  static constexpr Index none = ~Index(0);
-
-  std::vector<Point> m_points;
-  std::vector<std::size_t> m_first;
-  std::vector<std::pair<Index, Index>> m_ends; // higher end, middle
-};
 
 double mean_edge_length(const Triangles& triangles)
 {
@@ -108,15 +66,26 @@ Triangles read_triangles(const std::string& file)
 Triangles subdivided(const Triangles& coarse)
 {
   Triangles fine;
+  fine.points = coarse.points;
   fine.corners.reserve(4 * coarse.corners.size());
-  Edge_middles middle(coarse);
+  std::unordered_map<std::uint64_t, Index> middle_of; // by the ends of an edge
+  middle_of.reserve(coarse.corners.size() * 3 / 2);
+  const auto middle = [&](Index u, Index v) {
+    const auto [low, high] = std::minmax(u, v);
+    const auto [place, is_new] = middle_of.emplace(std::uint64_t(low) << 32 | high,
+                                                   Index(fine.points.size()));
+    if (is_new) {
+      const Point a = coarse.points[low], b = coarse.points[high];
+      fine.points.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    }
+    return place->second;
+  };
   for (const auto& t : coarse.corners) {
     const Index a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
     for (const Triangles::Corners& s :
          {Triangles::Corners{t[0], a, c}, {a, t[1], b}, {c, b, t[2]}, {a, b, c}})
       fine.corners.push_back(s);
   }
-  fine.points = middle.take_points();
   fine.points.shrink_to_fit();
   return fine;
 }

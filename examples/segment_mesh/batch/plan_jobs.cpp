@@ -167,7 +167,7 @@ Job make_job(const std::string& input, const std::string& stem, const Options& o
 
 } // namespace
 
-std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model)
+std::vector<Job> plan_jobs(const Options& options)
 {
   check_standard_input(options);
   for (const Named_file& file : files_of(options)) {

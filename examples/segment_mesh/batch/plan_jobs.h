@@ -34,6 +34,9 @@ struct Options
   Verbosity verbosity = Verbosity::NORMAL;
 };
 
+/// The name of the model of `--demo`: examples/data/figure.off, whose parts are in figure.seg.
+inline constexpr const char* demo_model = "figure";
+
 /// One input and what becomes of it.
 struct Job
 {
@@ -49,7 +52,7 @@ struct Job
 /// \throws Usage_error for two outputs in one file, an output in the place of another file of the
 ///         run, a batch without `{stem}` or to stdout, standard input without a format or twice,
 ///         and any other `{name}`
-std::vector<Job> plan_jobs(const Options& options, const std::string& demo_model);
+std::vector<Job> plan_jobs(const Options& options);
 
 } // namespace segment_mesh
 

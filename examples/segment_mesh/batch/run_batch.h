@@ -9,9 +9,6 @@
 
 namespace segment_mesh {
 
-/// The name of the model of `--demo`: examples/data/figure.off, whose parts are in figure.seg.
-inline constexpr const char* demo_model = "figure";
-
 enum Exit_status { DONE = 0, FAILED = 1, WRONG_USAGE = 2 };
 
 /// Runs the jobs one after the other, and prints the lines of each when it is done.

@@ -29,10 +29,10 @@ bool is_blank(char c)
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-/// A sign that std::from_chars() does not know.
+/// Without the sign that std::from_chars() does not know.
 std::string_view without_plus(std::string_view word)
 {
-  return word.substr(word.substr(0, 1) == "+" ? 1 : 0);
+  return word.substr(word.substr(0, 1) == "+" && word.substr(1, 1) != "-" ? 1 : 0);
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "read/errors.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/join.hpp>
 #include <boost/functional/hash.hpp>
 
 #include <filesystem>
@@ -50,7 +49,10 @@ std::string ending_of(const std::string& file)
 
 std::string list_of_endings(const std::vector<std::string>& endings)
 {
-  return "." + boost::algorithm::join(endings, ", .");
+  std::string list;
+  for (std::size_t i = 0; i < endings.size(); ++i)
+    list += (i == 0 ? "." : i + 1 < endings.size() ? ", ." : " or .") + endings[i];
+  return list;
 }
 
 const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats()
@@ -101,8 +103,8 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
   Input_mesh input = read(file, bytes);
   if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
-  input.properties.colors.finish(input.soup, Mesh_properties::white);
-  input.properties.texture.finish(input.soup, {});
+  input.properties.colors.finish(input.soup);
+  input.properties.texture.finish(input.soup);
   if (format == Mesh_format::STL || format == Mesh_format::GLTF)
     merge_equal_points(input.soup);
   return input;

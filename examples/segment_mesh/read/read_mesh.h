@@ -19,7 +19,7 @@ namespace segment_mesh {
 /// The last ending of the name of a file, without the dot, in lower case.
 std::string ending_of(const std::string& file);
 
-/// As messages list them: ".a, .b, .c".
+/// As a sentence lists them: ".a, .b or .c".
 std::string list_of_endings(const std::vector<std::string>& endings);
 
 /// The formats that are read.

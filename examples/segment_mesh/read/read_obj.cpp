@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace segment_mesh {
@@ -110,12 +112,22 @@ private:
       coordinate = number_or_zero(m_scan.word());
   }
 
-  /// The name is all of the line: names have blanks more often than lines have several names.
-  void add_library(const std::string& file)
+  /// Names may have blanks, but a line may also have several names.
+  void add_library(const std::string& names)
   {
-    std::vector<std::string>& files = m_library.files;
-    if (std::find(files.begin(), files.end(), file) == files.end())
-      files.push_back(file);
+    namespace fs = std::filesystem;
+    std::vector<std::string> files = {names};
+    std::error_code error;
+    if (names.find(' ') != std::string::npos &&
+        !fs::exists(fs::path(m_library.folder) / names, error)) {
+      std::istringstream in(names);
+      const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
+      if (fs::exists(fs::path(m_library.folder) / words[0], error))
+        files = words;
+    }
+    for (const std::string& file : files)
+      if (std::find(m_library.files.begin(), m_library.files.end(), file) == m_library.files.end())
+        m_library.files.push_back(file);
   }
 
   void read_face()
@@ -164,6 +176,8 @@ private:
   {
     Mesh_properties& properties = m_input.properties;
     properties.texture.of_corner.resize(m_soup.polygons.corners().size(), properties.texture.none);
+    if (!properties.colors.values.empty())
+      properties.colors.values.resize(m_soup.points.size(), Mesh_properties::white);
     properties.of(Set_kind::GROUPS) = m_groups.build(m_soup.polygons.size());
     properties.of(Set_kind::MATERIALS) = m_materials.build(m_soup.polygons.size());
     if (!m_library.files.empty())

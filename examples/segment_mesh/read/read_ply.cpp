@@ -376,15 +376,10 @@ private:
   {
     const auto& [x, y, z, red, green, blue, u, v] = m_values;
     m_soup.points.push_back({x, y, z});
-    auto& [sets, colors, texture, library] = m_input.properties;
-    if (has_colors) {
-      colors.values.resize(m_soup.points.size(), Mesh_properties::white);
-      colors.values.back() = {float(red), float(green), float(blue)};
-    }
-    if (has_texture) {
-      texture.values.resize(m_soup.points.size());
-      texture.values.back() = {u, v};
-    }
+    if (has_colors)
+      m_input.properties.colors.values.push_back({float(red), float(green), float(blue)});
+    if (has_texture)
+      m_input.properties.texture.values.push_back({u, v});
   }
 
   /// Of a face with texture coordinates: two numbers for each corner.

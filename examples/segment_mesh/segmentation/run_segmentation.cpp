@@ -3,7 +3,6 @@
 #include "segmentation/run_segmentation.h"
 
 #include "segmentation/Manifold.h"
-#include "soup/Edge_list.h"
 
 #include <CGAL/number_type_config.h>
 
@@ -19,9 +18,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <queue>
 #include <set>
 #include <type_traits>
@@ -35,31 +34,54 @@ namespace RS = CGAL::Region_segmentation;
 
 using Mesh = Manifold::Mesh;
 
-/// A `SegmentationVisitor` that measures the time, and hands on what it hears.
-class Stopwatch
+/// A `SegmentationVisitor` that times the stages, and hands on what it hears.
+class Stage_clock
 {
 public:
-  explicit Stopwatch(const Progress_listener& listener)
+  explicit Stage_clock(const Progress_listener& listener)
     : m_listener(listener)
   {}
 
   bool on_progress(const char* stage, double fraction)
   {
-    m_start = m_start.value_or(Clock::now());
+    if (m_starts.empty() || m_starts.back().stage != stage)
+      m_starts.push_back({stage, Clock::now()});
     return !m_listener || m_listener(stage, fraction);
   }
 
   /// From the first word of the first stage to now.
   double seconds() const
   {
-    return m_start ? std::chrono::duration<double>(Clock::now() - *m_start).count() : 0;
+    return m_starts.empty() ? 0 : between(m_starts.front().time, Clock::now());
+  }
+
+  /// A stage lasts until the next one starts, the last one until now.
+  std::vector<Stage_time> stages() const
+  {
+    std::vector<Stage_time> result;
+    for (std::size_t i = 0; i < m_starts.size(); ++i) {
+      const Clock::time_point end = i + 1 < m_starts.size() ? m_starts[i + 1].time : Clock::now();
+      result.push_back({m_starts[i].stage, between(m_starts[i].time, end)});
+    }
+    return result;
   }
 
 private:
   using Clock = std::chrono::steady_clock;
 
+  struct Start
+  {
+    std::string stage;
+    Clock::time_point time;
+  };
+
+  static double between(Clock::time_point from, Clock::time_point to)
+  {
+    return std::chrono::duration<double>(to - from).count();
+  }
+
   const Progress_listener& m_listener;
-  std::optional<Clock::time_point> m_start;
+  std::vector<Start> m_starts;
 };
 
 /// The number that was chosen, if the chooser would not choose a larger one, but the tree has more
@@ -84,7 +106,7 @@ void segment_by(const SegmentationMethod& method, const Segment& segment,
                 const Segmentation_settings& settings, const Progress_listener& listener,
                 Segmentation& result)
 {
-  Stopwatch clock(listener);
+  Stage_clock clock(listener);
   const auto segment_with = [&](const auto& np) {
     return segment(np.method(method)
                      .merge_tree(result.tree)
@@ -104,6 +126,7 @@ void segment_by(const SegmentationMethod& method, const Segment& segment,
   }
   result.number_of_regions = result.tree.number_of_regions();
   result.seconds = clock.seconds();
+  result.stages = clock.stages();
 }
 
 template <typename Segment>
@@ -155,19 +178,22 @@ struct Seeds_of_faces
   const std::vector<std::size_t>* seeds;
 };
 
-/// The constrained edges: points of the soup may be several at one place.
-std::vector<char> constrained_edges(const Manifold& manifold, const Polygon_soup& soup,
-                                    const Marks& marks)
+/// The constrained edges, by coordinates: points of the soup may be several at one place.
+std::vector<char> constrained_edges(const Mesh& mesh, const Polygon_soup& soup, const Marks& marks)
 {
-  const Edge_list list(soup);
-  std::set<Vertex_pair> edges;
+  const auto sorted = [](std::array<Point, 2> ends) {
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  };
+  std::set<std::array<Point, 2>> edges;
   for (const Vertex_pair& edge : marks.constrained_edges)
-    edges.insert(list.edge(edge[0], edge[1]));
-  const Mesh& mesh = manifold.mesh;
-  const auto point = [&](auto v) { return manifold.point_of_mesh_point[v]; };
+    edges.insert(sorted({soup.points[edge[0]], soup.points[edge[1]]}));
   std::vector<char> result(mesh.number_of_edges());
+  const auto point = [&](auto v) {
+    return Point{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  };
   for (const auto e : mesh.edges())
-    result[e] = edges.count(list.edge(point(mesh.vertex(e, 0)), point(mesh.vertex(e, 1)))) > 0;
+    result[e] = edges.count(sorted({point(mesh.vertex(e, 0)), point(mesh.vertex(e, 1))})) > 0;
   return result;
 }
 
@@ -205,20 +231,22 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
                     Segmentation& segmentation)
 {
   const Manifold manifold = make_manifold(soup);
-  const std::vector<char> is_constrained = constrained_edges(manifold, soup, marks);
+  const std::vector<char> is_constrained = constrained_edges(manifold.mesh, soup, marks);
   Labels labels = {manifold.values_of_mesh_faces(segmentation.segment_of_face),
                    manifold.values_of_mesh_faces(segmentation.region_of_face)};
   std::vector<std::size_t> segment_of_region(segmentation.number_of_regions);
   for (std::size_t f = 0; f < segmentation.region_of_face.size(); ++f)
     segment_of_region[segmentation.region_of_face[f]] = segmentation.segment_of_face[f];
 
-  Stopwatch clock(listener);
+  Stage_clock clock(listener);
   RS::smooth_borders<CGAL::Parallel_if_available_tag>(
     manifold.mesh, face_map(manifold.mesh, labels.segment_of_face), {},
     RS::parameters::visitor(std::ref(clock))
       .edge_is_constrained_map(boost::make_iterator_property_map(
         is_constrained.begin(), get(boost::edge_index, manifold.mesh))));
   segmentation.seconds += clock.seconds();
+  for (Stage_time& time : clock.stages())
+    segmentation.stages.push_back(std::move(time));
 
   nest_regions(manifold.mesh, segment_of_region, labels);
   for (std::size_t f = 0; f < manifold.face_of_mesh_face.size(); ++f) {

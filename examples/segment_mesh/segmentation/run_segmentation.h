@@ -55,6 +55,12 @@ struct Segmentation_settings
   Component_links links = Component_links::FOUND;
 };
 
+struct Stage_time
+{
+  std::string stage;
+  double seconds;
+};
+
 /// Which edges were feature edges.
 struct Feature_settings
 {
@@ -78,6 +84,7 @@ struct Segmentation
   /// where the segments are the regions.
   CGAL::Region_segmentation::Merge_tree tree{0};
   double seconds = 0; ///< from the mesh in memory to the labels
+  std::vector<Stage_time> stages;
 };
 
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.

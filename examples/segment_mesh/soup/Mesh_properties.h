@@ -48,16 +48,15 @@ struct Corner_values
     return of_corner[corner] == none ? otherwise : values[of_corner[corner]];
   }
 
-  /// What a reader has left open of the corners of a mesh: without values there are none; values
-  /// without corners are those of points, of which later ones have the value `of_others`; corners
-  /// that have no value have none.
-  void finish(const Polygon_soup& soup, const Value& of_others)
+  /// What a reader has left open: as many values as points are those of the points; corners at the
+  /// end, and those whose value is not there, have none.
+  void finish(const Polygon_soup& soup)
   {
-    if (!values.empty() && of_corner.empty()) {
-      values.resize(soup.points.size(), of_others);
-      of_corner = soup.polygons.corners();
-    }
-    of_corner.resize(values.empty() ? 0 : soup.polygons.corners().size(), none);
+    const std::vector<Polygons::Index>& corners = soup.polygons.corners();
+    if (of_corner.empty() && values.size() == soup.points.size())
+      of_corner = corners;
+    else if (!of_corner.empty())
+      of_corner.resize(values.empty() ? 0 : corners.size(), none);
     for (Polygons::Index& i : of_corner)
       i = i < values.size() ? i : none;
   }

@@ -57,8 +57,7 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
 
 /// Writes an image by libpng. No time and no name of a program is in it: the same bytes for the
 /// same image. \throws std::runtime_error for an image without pixels, or if libpng fails; a
-/// failure to write
-/// sets the state of `out`
+/// failure to write sets the state of `out`
 void write_png(const Image& image, std::ostream& out);
 
 } // namespace segment_mesh

@@ -15,8 +15,12 @@
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <sstream>
 
 namespace segment_mesh {
 
@@ -162,6 +166,35 @@ Remarks write_solid(const Output& output, const Result& result)
   return step.remarks;
 }
 
+/// The largest absolute value of a coordinate of a polygon.
+double largest_coordinate(const Polygon_soup& soup)
+{
+  double largest = 0;
+  for (const Polygon_soup::Polygon& polygon : soup.polygons)
+    for (const std::size_t v : polygon)
+      for (const double x : soup.points[v])
+        largest = (std::max)(largest, std::fabs(x));
+  return largest;
+}
+
+/// \throws Output_error if the coordinates are none of float, which readers of the formats of parts
+/// use
+void check_coordinates(const Output& output, const Polygon_soup& soup)
+{
+  using Limits = std::numeric_limits<float>;
+  if (output.format != Output_format::GLB && output.format != Output_format::THREE_MF &&
+      output.format != Output_format::STL)
+    return;
+  const double least = double((Limits::min)()), most = double((Limits::max)()),
+               largest = largest_coordinate(soup);
+  if (largest > most || (largest > 0 && largest < least)) {
+    std::ostringstream text;
+    text << "coordinates reach " << largest << ", this format can have some from " << least
+         << " to " << most;
+    throw Output_error(output.file, text.str());
+  }
+}
+
 void write_each_segment(const Output& output, const Result& result, const Labelled_mesh& mesh)
 {
   const auto faces = faces_of_segments(mesh.segment_of_face);
@@ -185,6 +218,7 @@ Remarks write_segmentation(const Output& output, const Result& result)
     throw Output_error(output.file,
                        "pages need three.js (Debian: libjs-three), and this program was "
                        "built without it");
+  check_coordinates(output, result.input.soup);
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)
     solids = result.details.solids();

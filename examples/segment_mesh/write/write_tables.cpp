@@ -111,6 +111,14 @@ ordered_json array_json(const Elements& elements, ToJson to_json)
   return array;
 }
 
+ordered_json times_json(const Segmentation& segmentation)
+{
+  ordered_json stages = array_json(segmentation.stages, [](const Stage_time& time) -> ordered_json {
+    return {{"stage", time.stage}, {"seconds", time.seconds}};
+  });
+  return {{"total", segmentation.seconds}, {"stages", std::move(stages)}};
+}
+
 void add_details(const Result& result, ordered_json& json)
 {
   const std::vector<std::string> names = result.details.names();
@@ -198,7 +206,7 @@ void write_json(std::ostream& out, const Result& result)
                    {"faces", result.input.soup.polygons.size()},
                    {"points", result.input.soup.points.size()}};
   json["settings"] = settings_json(result);
-  json["times"] = {{"total", result.segmentation.seconds}};
+  json["times"] = times_json(result.segmentation);
   add_details(result, json);
   json["feature_lines"] = result.details.feature_lines();
   json["face_segments"] = array_json(result.segmentation.segment_of_face,

@@ -138,7 +138,7 @@ std::size_t segment(const FaceGraph& mesh, FaceSegmentMap segment_map,
 ///        segment, a degenerate one that of a neighbor
 /// \param np `constrained_edges` is a range of pairs of indices of points, in place of
 ///        `edge_is_constrained_map`; `face_seed_map` and `region_map` are random access ranges or
-///        property maps with the index of a polygon as key
+///        property maps with the index of a polygon as key, a range of `region_map` by `std::ref()`
 ///
 /// \throws Invalid_input if a polygon has no corner or one that is not a point, a point of a
 ///         polygon is not finite, or a range has not as many elements as there are polygons

@@ -166,10 +166,9 @@ template <typename Input, typename Pack>
 void write_outputs([[maybe_unused]] const Input& input, [[maybe_unused]] const Hierarchy& result,
                    [[maybe_unused]] const Pack& np)
 {
-  if constexpr (has_parameter<Pack, internal_np::region_map_t>) {
-    auto map = CGAL::parameters::get_parameter(np, internal_np::region_map);
-    input.write(result.regions(), map);
-  }
+  if constexpr (has_parameter<Pack, internal_np::region_map_t>)
+    input.write(result.regions(),
+                CGAL::parameters::get_parameter_reference(np, internal_np::region_map));
   if constexpr (has_parameter<Pack, internal_np::merge_tree_t>)
     CGAL::parameters::get_parameter_reference(np, internal_np::merge_tree) = result.merge_tree();
 }
@@ -194,7 +193,7 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
   const auto result = Calls::merge(method, surface, prepared, request, execution);
   const Partition segments = result.segments(result.number_of_segments());
   if constexpr (has_parameter<Pack, internal_np::region_map_t>)
-    input.check(CGAL::parameters::get_parameter(np, internal_np::region_map),
+    input.check(CGAL::parameters::get_parameter_reference(np, internal_np::region_map),
                 result.regions().number_of_parts(), "first region");
   input.write(segments, segment_map);
   write_outputs(input, result, np);

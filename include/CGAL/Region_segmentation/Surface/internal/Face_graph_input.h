@@ -84,7 +84,7 @@ public:
   }
 
   template <typename Values, typename FaceMap>
-  void write(const Values& values, FaceMap& map) const
+  void write(const Values& values, FaceMap&& map) const
   {
     write_face_values(*m_mesh, values, map);
   }

@@ -37,7 +37,7 @@ public:
   template <typename PairRange, typename Pack>
   void add_constraints(Surface& surface, const PairRange& pairs, const Pack&) const
   {
-    static_assert(is_range_of_pairs<PairRange>(),
+    static_assert(satisfies<Pair_size, PairRange>,
                   "the constraints of polygons are a range of pairs of indices of points");
     std::vector<Vertex_pair> edges;
     for (const auto& [v, w] : pairs) {
@@ -76,14 +76,17 @@ public:
   }
 
   template <typename Values, typename Map>
-  void write(const Values& values, Map& map) const
+  void write(const Values& values, Map&& map) const
   {
+    using Labels = std::decay_t<Map>;
+    static_assert(std::is_lvalue_reference<Map>::value || !is_range<Labels>,
+                  "a range for region_map is passed by std::ref()");
     check(map, values.number_of_parts());
     for (std::size_t i = 0; i < m_number; ++i)
-      if constexpr (is_range<Map>)
+      if constexpr (is_range<Labels>)
         map[i] = std::decay_t<decltype(map[i])>(values[i]);
       else
-        put(map, i, typename boost::property_traits<Map>::value_type(values[i]));
+        put(map, i, typename boost::property_traits<Labels>::value_type(values[i]));
   }
 
 private:
@@ -106,16 +109,10 @@ private:
       return satisfies<Has_key, Map, std::size_t>;
   }
 
-  /// Whether a type is a range of pairs. A property map of `bool` with iterators is not one.
+  /// Of a range of pairs. A property map of `bool` with iterators is not one.
   template <typename Range>
-  static constexpr bool is_range_of_pairs()
-  {
-    if constexpr (is_range<Range>)
-      return !std::is_arithmetic<
-        std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>>::value;
-    else
-      return false;
-  }
+  using Pair_size = decltype(std::tuple_size<std::decay_t<decltype(*std::begin(
+                               std::declval<const Range&>()))>>::value);
 
   template <typename Map>
   static auto value(const Map& map, std::size_t i)

@@ -227,8 +227,8 @@ inline void Surface_builder::separate_doubled_faces()
   for (const auto& [f, first] : doubled) {
     const auto sides = is_between_bodies.begin() + m_first_corners[f],
                end = is_between_bodies.begin() + m_first_corners[f + 1];
-    if (numbers[first] == 1 && corner(f, 1) == corner(first, number_of_corners(first) - 1) &&
-        std::find(sides, end, false) == end) {
+    if (numbers[first] == 1 && std::find(sides, end, false) == end &&
+        corner(f, 1) == corner(first, number_of_corners(first) - 1)) {
       m_twins[f] = first;
       m_twins[first] = f;
       continue;
