@@ -6,11 +6,10 @@
 #include "read/errors.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
-#include <boost/functional/hash.hpp>
 
+#include <algorithm>
 #include <filesystem>
-#include <unordered_map>
-#include <utility>
+#include <numeric>
 
 namespace segment_mesh {
 
@@ -26,16 +25,28 @@ fs::path without_gz(const fs::path& file)
 /// Of points with the same coordinates keeps the first; those that are kept stay in order.
 void merge_equal_points(Polygon_soup& soup)
 {
-  std::unordered_map<Point, std::size_t, boost::hash<Point>> indices;
-  std::vector<std::size_t> new_index;
-  std::vector<Point> points;
-  for (const Point& point : soup.points) {
-    const auto [index, is_new] = indices.emplace(point, points.size());
-    if (is_new)
-      points.push_back(point);
-    new_index.push_back(index->second);
+  std::vector<Point>& points = soup.points;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
+    return points[i] < points[j] || (!(points[j] < points[i]) && i < j);
+  });
+
+  std::vector<std::size_t> first(points.size()); // the first point at the place of each
+  for (std::size_t k = 0; k < order.size(); ++k)
+    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]]
+                                                                        : order[k];
+
+  std::vector<std::size_t>& new_index = order;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (first[i] == i) {
+      new_index[i] = size;
+      points[size++] = points[i];
+    } else
+      new_index[i] = new_index[first[i]];
   }
-  soup.points = std::move(points);
+  points.resize(size);
   soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 
