@@ -46,7 +46,6 @@ public:
   explicit Numbered_tree(const RS::Merge_tree& tree)
     : m_number_of_regions(tree.number_of_regions())
     , m_parents(m_number_of_regions + tree.merges().size(), none)
-    , m_heights(m_parents.size())
   {
     std::vector<std::size_t> node_of_region(m_number_of_regions);
     for (std::size_t r = 0; r < m_number_of_regions; ++r)
@@ -62,7 +61,7 @@ public:
   /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of
   /// disjoint ones: of one height above those of them that have no child among them. Groups are
   /// small, so that several threads have some.
-  std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments)
+  std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments) const
   {
     constexpr std::size_t greatest_group = 8;
     std::vector<std::vector<std::size_t>> groups;
@@ -70,21 +69,21 @@ public:
     if (number_of_roots > number_of_segments)
       return groups;
     std::map<std::size_t, std::size_t> open_groups; // by height
-    std::fill(m_heights.begin(), m_heights.end(), 0);
+    std::vector<std::size_t> heights(m_parents.size());
     for (std::size_t node = 0; node < m_parents.size(); ++node) {
       // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
       // R - i.
       const std::size_t parent = m_parents[node];
       if (parent != none && 2 * m_number_of_regions - parent > number_of_segments)
         continue;
-      const auto [group, is_new] = open_groups.emplace(m_heights[node], groups.size());
+      const auto [group, is_new] = open_groups.emplace(heights[node], groups.size());
       if (is_new || groups[group->second].size() == greatest_group) {
         group->second = groups.size();
         groups.emplace_back();
       }
       groups[group->second].push_back(node);
       if (parent != none)
-        m_heights[parent] = (std::max)(m_heights[parent], m_heights[node] + 1);
+        heights[parent] = (std::max)(heights[parent], heights[node] + 1);
     }
     return groups;
   }
@@ -107,7 +106,6 @@ private:
 
   std::size_t m_number_of_regions;
   std::vector<std::size_t> m_parents;
-  std::vector<std::size_t> m_heights;
 };
 
 /// Of a segment that is a face of a machine part.
@@ -442,7 +440,7 @@ std::vector<std::size_t> Segmentation_details::colors(Coloring coloring,
 
 std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_segments) const
 {
-  Numbered_tree tree(m_segmentation.tree);
+  const Numbered_tree tree(m_segmentation.tree);
   const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
   manifold(), machine_part(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());
