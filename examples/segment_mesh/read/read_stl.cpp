@@ -107,27 +107,19 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     scan.fail("a face with " + counted(size, "vertex") + ", fewer than 3");
 }
 
-struct Solid_line
-{
-  std::string name;
-  bool is_facet_next;
-};
-
-/// Reads the name of a solid, up to the end of its line, or past `facet normal` where the file has
+/// Reads the name of a solid, up to the end of its line, or up to `facet normal` where the file has
 /// all on one line.
-Solid_line read_name(Text_scanner& scan)
+std::string read_name(Text_scanner& scan)
 {
   std::string name;
-  std::string_view previous, word = scan.word();
-  while (!word.empty() && !(is_word(previous, "facet") && is_word(word, "normal"))) {
+  Text_scanner ahead = scan;
+  for (std::string_view word = ahead.word(); !word.empty(); word = ahead.word()) {
+    if (is_word(word, "facet") && is_word(Text_scanner(ahead).word(), "normal"))
+      break;
     name += (name.empty() ? "" : " ") + std::string(word);
-    previous = word;
-    word = scan.word();
+    scan = ahead;
   }
-  if (word.empty())
-    return {name, false};
-  name.resize(name.size() - previous.size());
-  return {name.substr(0, name.find_last_not_of(' ') + 1), true};
+  return name;
 }
 
 /// Names of solids may hold any word, and solids may be several.
@@ -141,22 +133,20 @@ Input_mesh read_text(const std::string& file, std::string_view bytes)
        word = scan.word_of_any_line()) {
     const bool is_end = is_word(word, "endsolid") ||
                         (is_word(word, "end") && is_word(scan.word_of_any_line(), "solid"));
-    bool is_facet = is_in_solid && is_word(word, "facet");
     if (is_word(word, "solid") && !is_in_solid) {
       is_in_solid = true;
-      const Solid_line line = read_name(scan);
-      is_facet = line.is_facet_next;
-      solids.start_new(line.name, points.size() / 3);
+      solids.start_new(read_name(scan), points.size() / 3);
     } else if (is_end && is_in_solid) {
-      is_in_solid = is_facet = read_name(scan).is_facet_next;
+      read_name(scan);
+      is_in_solid = scan.has_word(); // the start of the next solid was taken for this name
+    } else if (is_word(word, "facet") && is_in_solid) {
+      read_facet(scan, points);
     } else if (is_word(word, "color") && is_in_solid) {
       for (int i = 0; i < 3; ++i)
         scan.word();
-    } else if (!is_facet)
+    } else
       scan.fail(in_quotes(word) +
                 (is_in_solid ? " where 'facet' or 'endsolid' is due" : " where 'solid' is due"));
-    if (is_facet)
-      read_facet(scan, points);
   }
   if (is_in_solid)
     scan.fail("the file ends before 'endsolid'");
