@@ -13,7 +13,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -79,28 +78,13 @@ private:
   segment_mesh::Any_segmenter m_segmenter;
 };
 
-/// The edges whose faces have several labels, two points each, in ascending order.
+/// Two points of each edge, in ascending order.
 Array<std::size_t> segment_borders(const Soup& soup, const Array<std::int32_t>& labels)
 {
-  const segment_mesh::Edge_list edges(soup);
-  std::vector<std::pair<segment_mesh::Vertex_pair, std::int32_t>> sides;
-  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    const Soup::Polygon polygon = soup.polygons[f];
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      sides.push_back(
-        {edges.edge(polygon[i], polygon[(i + 1) % polygon.size()]), labels.data()[f]});
-  }
-  std::sort(sides.begin(), sides.end());
-  std::vector<std::size_t> result;
-  for (std::size_t i = 1, last = 0; i < sides.size(); ++i) {
-    const auto& [edge, label] = sides[i];
-    if (edge == sides[i - 1].first && label != sides[i - 1].second &&
-        (last == 0 || edge != sides[last].first)) {
-      result.insert(result.end(), edge.begin(), edge.end());
-      last = i;
-    }
-  }
-  return to_array(result);
+  std::vector<std::size_t> ends;
+  for (const auto& [a, b] : segment_mesh::borders_of_labels(soup, labels.data()))
+    ends.insert(ends.end(), {a, b});
+  return to_array(ends);
 }
 
 } // namespace

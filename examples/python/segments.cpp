@@ -7,7 +7,6 @@
 
 // Of the program, compiled here since setuptools writes objects beside sources.
 #include "segmentation/make_manifold.cpp"
-#include "soup/link_corners.cpp"
 
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
@@ -15,8 +14,6 @@
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <array>
 #include <functional>
@@ -81,10 +78,7 @@ struct Labelled_manifold : Manifold
     labels = values_of_mesh_faces(labels_of_soup);
   }
 
-  auto map()
-  {
-    return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
-  }
+  auto map() { return segment_mesh::face_map(mesh, labels); }
 
   Labels labels_of_soup() const
   {

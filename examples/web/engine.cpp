@@ -3,7 +3,7 @@
 // The program in a web worker: reads a mesh from the bytes of a file, segments it, and writes it.
 // Answers are objects for worker.js; one with `error` holds the reason for a user.
 
-#include "page/page_data.h"
+#include "page/page.h"
 #include "read/errors.h"
 #include "read/read_mesh.h"
 #include "write/write_mesh.h"
@@ -159,40 +159,26 @@ void write(std::ostream& out, const std::string& ending, const Labelled_mesh& me
     write_ply(out, mesh);
 }
 
-/// The opened mesh with segments, whose names are those that the page shows.
-Labelled_mesh labelled(const std::vector<std::size_t>& segment_of_face, const val& names)
-{
-  return {opened->mesh.soup, segment_of_face, emscripten::vecFromJSArray<std::string>(names),
-          opened->mesh.properties};
-}
-
-/// The bytes of a file of the mesh, colored by `labels`.
-val write_mesh(const std::string& ending, const val& labels, const val& names)
-{
-  return answer([&] {
-    std::ostringstream out;
-    const std::vector<std::size_t> segment_of_face = to_indices(labels);
-    write(out, ending, labelled(segment_of_face, names));
-    val result = val::object();
-    result.set("bytes", to_bytes(out.str()));
-    return result;
-  });
-}
-
-/// The bytes of a file of the faces with a label.
-val write_part(const std::string& ending, const val& labels, const val& names, unsigned label)
+/// The bytes of a file of the mesh, whose segments have these labels and the names that the page
+/// shows; or of the faces of one segment, if `part` is its label.
+val write_mesh(const std::string& ending, const val& labels, const val& names, const val& part)
 {
   return answer([&] {
     const std::vector<std::size_t> segment_of_face = to_indices(labels);
-    std::vector<std::size_t> faces;
-    for (std::size_t f = 0; f < segment_of_face.size(); ++f)
-      if (segment_of_face[f] == label)
-        faces.push_back(f);
-    const Labelled_mesh mesh = labelled(segment_of_face, names);
-    const Mesh_part part = extract_faces(mesh, faces);
+    const Labelled_mesh mesh = {opened->mesh.soup, segment_of_face,
+                                emscripten::vecFromJSArray<std::string>(names),
+                                opened->mesh.properties};
     std::ostringstream out;
-    write(out, ending,
-          {part.soup, std::vector<std::size_t>(faces.size(), label), mesh.names, part.properties});
+    if (part.isUndefined())
+      write(out, ending, mesh);
+    else {
+      const auto label = part.as<std::uint32_t>();
+      const std::vector<std::size_t> faces = faces_of_segments(segment_of_face)[label];
+      const Mesh_part written = extract_faces(mesh, faces);
+      write(out, ending,
+            {written.soup, std::vector<std::size_t>(faces.size(), label), mesh.names,
+             written.properties});
+    }
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;
@@ -206,8 +192,7 @@ EMSCRIPTEN_BINDINGS(engine)
   emscripten::function("open", &open_file);
   emscripten::function("segment", &segment_opened);
   emscripten::function("describe", &describe_nodes);
-  emscripten::function("writeMesh", &write_mesh);
-  emscripten::function("writePart", &write_part);
+  emscripten::function("write", &write_mesh);
 }
 
 } // namespace segment_mesh

@@ -161,30 +161,22 @@ class LivePage extends Page {
     this.paint();
   }
 
-  saveMesh() {
-    const ending = element("format").value;
+  /// The mesh, or the part that a node is.
+  saveMesh(node) {
+    const ending = element("format").value, names = this.nodes.map(n => this.nameOf(n));
+    const part = node === undefined ? undefined : this.indexOf(node);
     return this.work(async () => {
-      const {bytes} = await this.engine.run(this.file, "writeMesh", ending, this.labelsOfFaces(), this.namesOfNodes());
-      this.save(new Blob([bytes]), ending);
+      const {bytes} = await this.engine.run(this.file, "write", ending, this.labelsOfFaces(), names, part);
+      this.save(new Blob([bytes]), part === undefined ? ending : "_part_" + part + ending);
     });
   }
-
-  savePart(node) {
-    const ending = element("format").value, segment = this.indexOf(node);
-    return this.work(async () => {
-      const {bytes} = await this.engine.run(this.file, "writePart", ending, this.labelsOfFaces(), this.namesOfNodes(), segment);
-      this.save(new Blob([bytes]), "_part_" + segment + ending);
-    });
-  }
-
-  namesOfNodes() { return this.nodes.map(node => this.nameOf(node)); }
 
   labelsOfFaces() { return this.arrays.regions.map(region => this.segmentOfRegion[region]); }
 
   actions(node) {
     const actions = super.actions(node), button = document.createElement("button");
     button.textContent = "Save part";
-    button.addEventListener("click", event => { event.stopPropagation(); this.savePart(node); });
+    button.addEventListener("click", event => { event.stopPropagation(); this.saveMesh(node); });
     actions.append(button);
     return actions;
   }

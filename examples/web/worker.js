@@ -33,8 +33,7 @@ const calls = {
   open: async (name, bytes) => (await engine).open(name, await inflated(new Uint8Array(bytes))),
   segment: async request => (await engine).segment(request, (stage, fraction) => postMessage({stage, fraction})),
   describe: async nodes => (await engine).describe(nodes),
-  writeMesh: async (...values) => (await engine).writeMesh(...values),
-  writePart: async (...values) => (await engine).writePart(...values)
+  write: async (...values) => (await engine).write(...values)
 };
 
 let last = Promise.resolve();

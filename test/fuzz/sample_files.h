@@ -3,7 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_TEST_FUZZ_SAMPLE_FILES_H
 #define CGAL_REGION_SEGMENTATION_TEST_FUZZ_SAMPLE_FILES_H
 
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,8 +3,8 @@
 // The readers on random files: against CGAL's, and with some bytes changed.
 
 #include "read/errors.h"
-#include "read/little_endian.h"
 #include "read/read_mesh.h"
+#include "soup/little_endian.h"
 #include "write/write_mesh.h"
 
 #include <CGAL/IO/OBJ.h>

@@ -2,10 +2,12 @@
 
 #include "batch/plan_jobs.h"
 
-#include "read/Mesh_format.h"
 #include "read/errors.h"
-#include "write/output_format.h"
+#include "read/read_mesh.h"
 #include "write/Whole_file.h"
+#include "write/output_format.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,13 +19,9 @@ namespace {
 
 constexpr const char* stem_placeholder = "{stem}";
 
-std::string with_stem(std::string file, const std::string& stem)
+std::string with_stem(const std::string& file, const std::string& stem)
 {
-  const std::string to_replace = stem_placeholder;
-  for (std::size_t at = file.find(to_replace); at != std::string::npos;
-       at = file.find(to_replace, at + stem.size()))
-    file.replace(at, to_replace.size(), stem);
-  return file;
+  return boost::replace_all_copy(file, stem_placeholder, stem);
 }
 
 /// A side file, its option, and what it is in messages.
@@ -103,26 +101,21 @@ using Run_files = std::map<std::string, std::string>;
 
 constexpr const char* output_of_run = "an output";
 
-std::string name_without_links(const std::string& file)
-{
-  return resolve_links(file).string();
-}
-
 Run_files files_to_read(const std::vector<Job>& jobs)
 {
   Run_files files;
   for (const Job& job : jobs) {
     if (!job.is_model && job.input != standard_input)
-      files.emplace(name_without_links(job.input), "an input");
+      files.emplace(resolve_links(job.input), "an input");
     if (ending_of(job.input) == "obj")
       files.emplace(
-        name_without_links(std::filesystem::path(job.input).replace_extension("mtl").string()),
+        resolve_links(std::filesystem::path(job.input).replace_extension("mtl").string()),
         "the materials of an input");
     for (const std::string& truth : job.truths)
-      files.emplace(name_without_links(truth), "a truth");
+      files.emplace(resolve_links(truth), "a truth");
     for (const Side_file& file : side_files)
       if (const std::string& name = job.side_files.*file.name; !name.empty())
-        files.emplace(name_without_links(name), file.what);
+        files.emplace(resolve_links(name), file.what);
   }
   return files;
 }
@@ -135,9 +128,9 @@ void add_output(const Output& output, Run_files& files, std::vector<std::string>
     return;
   const std::string start = option_of(output) + " " + output.file + ": ",
                     library = material_library(output);
-  const std::string name = output.is_stdout() ? output.file : name_without_links(output.file);
+  const std::string name = output.is_stdout() ? output.file : resolve_links(output.file);
   if (!library.empty())
-    if (const auto found = files.find(name_without_links(library)); found != files.end())
+    if (const auto found = files.find(resolve_links(library)); found != files.end())
       throw Usage_error(start + "its .mtl would replace " + found->second);
   auto found = files.find(name);
   for (const std::string& pattern : patterns)

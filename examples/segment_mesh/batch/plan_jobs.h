@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PLAN_JOBS_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PLAN_JOBS_H
 
-#include "read/Mesh_format.h"
 #include "read/read_mesh.h"
 #include "segmentation/run_segmentation.h"
 #include "view/render_view.h"

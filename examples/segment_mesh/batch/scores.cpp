@@ -9,8 +9,6 @@
 
 #include <CGAL/Region_segmentation/Evaluation/evaluation.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -31,12 +29,6 @@ constexpr const char* names[number_of_measures] = {"Rand index distance", "cut d
 
 /// The cut discrepancy is not defined where a side has no cut.
 using Scores = std::array<std::optional<double>, number_of_measures>;
-
-template <typename Label>
-auto face_map(const Mesh& mesh, const std::vector<Label>& labels)
-{
-  return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
-}
 
 Scores compare(const Mesh& mesh, const std::vector<std::size_t>& labels,
                const std::vector<std::int64_t>& truth)

@@ -24,25 +24,25 @@ namespace segment_mesh {
 
 namespace {
 
-using CGAL::Region_segmentation::Feature_convexity;
+/// The values of an enumeration by their names, which are in their order.
+template <typename Value, std::size_t N>
+std::map<std::string, Value> by_name(const char* const (&names)[N])
+{
+  std::map<std::string, Value> values;
+  for (std::size_t i = 0; i < N; ++i)
+    values.emplace(names[i], Value(i));
+  return values;
+}
 
-const std::map<std::string, Method> methods = {{"learned", Method::LEARNED},
-                                               {"visibility", Method::VISIBILITY},
-                                               {"two-step", Method::TWO_STEP},
-                                               {"smooth-faces", Method::SMOOTH_FACES}};
-
-const std::map<std::string, Feature_convexity> features = {{"concave", Feature_convexity::CONCAVE},
-                                                           {"convex", Feature_convexity::CONVEX},
-                                                           {"all", Feature_convexity::ALL}};
+const auto methods = by_name<Method>(method_names);
+const auto features = by_name<CGAL::Region_segmentation::Feature_convexity>(feature_names);
+const auto set_kinds = by_name<Set_kind>(set_kind_names);
 
 const std::map<std::string, Coloring> colorings = {{"segment", Coloring::SEGMENTS},
                                                    {"kind", Coloring::KINDS}};
 
 const std::map<std::string, Up_direction> up_directions = {
   {"x", {0, 1}}, {"y", {1, 1}}, {"z", {2, 1}}, {"-x", {0, -1}}, {"-y", {1, -1}}, {"-z", {2, -1}}};
-
-const std::map<std::string, Set_kind> set_kinds = {
-  {"groups", Set_kind::GROUPS}, {"materials", Set_kind::MATERIALS}, {"solids", Set_kind::SOLIDS}};
 
 const std::map<std::string, Mesh_format> formats(mesh_formats().begin(), mesh_formats().end());
 
@@ -54,24 +54,10 @@ struct Raw_options
 {
   Options options;
   std::vector<std::string> outputs, borders;
-  double maximum_angle = 0, tolerance = 0;
   std::string number_of_segments, number_of_threads = "0"; ///< CLI11 would cut off large numbers
-  std::string method = "learned", features = "concave";
-  std::string coloring = "segment";
-  std::string input_format;
-  std::string labels_from, constraints_from;
-  std::pair<double, double> view; ///< azimuth and elevation, in degrees
-  std::string up = "y", size;
+  std::pair<double, double> view;                          ///< azimuth and elevation, in degrees
+  std::string size;
 };
-
-template <typename Value>
-CLI::IsMember one_of(const std::map<std::string, Value>& names)
-{
-  std::vector<std::string> list;
-  for (const auto& entry : names)
-    list.push_back(entry.first);
-  return CLI::IsMember(list);
-}
 
 /// The words of a text in lines that the help has room for; a line break of the text stays.
 std::string wrapped(const std::string& text)
@@ -114,6 +100,23 @@ public:
     return option;
   }
 
+  /// An option whose words stand for values.
+  template <typename Value, typename Target>
+  void add_choice(const char* names, Target& target, const std::map<std::string, Value>& values,
+                  const char* type, const char* text) const
+  {
+    std::vector<std::string> words;
+    for (const auto& entry : values)
+      words.push_back(entry.first);
+    m_app
+      .add_option_function<std::string>(
+        names, [&target, &values](const std::string& word) { target = values.at(word); },
+        wrapped(text))
+      ->option_text(type)
+      ->group(m_name)
+      ->check(CLI::IsMember(words));
+  }
+
   /// An option that may be given several times, with one word each time.
   CLI::Option* add_repeatable(const char* names, std::vector<std::string>& values, const char* type,
                               const char* text) const
@@ -139,11 +142,9 @@ void add_inputs(CLI::App& app, Raw_options& raw)
               ".\n"
               "Also compressed as .gz; - is standard input. Several inputs are processed one "
               "after the other.");
-  input
-    .add("--input-format", raw.input_format, "FORMAT",
-         "For all inputs, whatever their extensions: the extension that they would "
-         "have, without the dot. Needed for standard input.")
-    ->check(one_of(formats));
+  input.add_choice("--input-format", raw.options.input_format, formats, "FORMAT",
+                   "For all inputs, whatever their extensions: the extension that they would "
+                   "have, without the dot. Needed for standard input.");
   input.add_flag("--demo",
                  "Instead of an INPUT: a figure that the program has.\n"
                  "It knows the parts: their number is the default of -k, and the score against "
@@ -152,11 +153,9 @@ void add_inputs(CLI::App& app, Raw_options& raw)
             "Segments that exist, instead of segmenting.\n"
             "The file has a label for each face. They are drawn, described and compared; "
             "faces of label -1 are of no segment. {stem} as in -o.");
-  input
-    .add("--labels-from", raw.labels_from, "SETS",
-         "The same with the groups (.obj; nodes of .gltf), materials (.obj, .gltf) or "
-         "solids (.stl) of the INPUT. Segments have their names.")
-    ->check(one_of(set_kinds));
+  input.add_choice("--labels-from", raw.options.side_files.labels_from, set_kinds, "SETS",
+                   "The same with the groups (.obj; nodes of .gltf), materials (.obj, .gltf) or "
+                   "solids (.stl) of the INPUT. Segments have their names.");
 }
 
 void add_outputs(CLI::App& app, Raw_options& raw)
@@ -186,21 +185,19 @@ void add_outputs(CLI::App& app, Raw_options& raw)
                   "extruders 1 to 15 of a slicer, which can change the colors.");
   output.add_repeatable("--borders", raw.borders, "FILE",
                         "Repeatable. The borders between segments as polylines: .obj or .vtp.");
-  output.add("--up", raw.up, "AXIS", "Of pictures and pages: x, y (default), z, -x, -y or -z.")
-    ->check(one_of(up_directions));
+  output.add_choice("--up", raw.options.view.up, up_directions, "AXIS",
+                    "Of pictures and pages: x, y (default), z, -x, -y or -z.");
   output.add("--view", raw.view, "AZIMUTH ELEVATION",
              "Of pictures: where the viewer stands, in degrees: around the axis that is up "
              "(y: from z toward x, z: from x toward y, x: from y toward z), and above. "
              "Default: where most segments are seen.");
   output.add("--size", raw.size, "WIDTHxHEIGHT",
              "Of pictures, in pixels, or N for NxN. Default: 800x600.");
-  output
-    .add("--color", raw.coloring, "BY",
-         "Of pictures and pages, what colors tell apart: segment (default), or kind, of "
-         "the surfaces of --method smooth-faces: plane (blue), cylinder (red), cone "
-         "(green), sphere (yellow), torus (light blue), freeform (purple), several "
-         "faces (grey).")
-    ->check(one_of(colorings));
+  output.add_choice("--color", raw.options.coloring, colorings, "BY",
+                    "Of pictures and pages, what colors tell apart: segment (default), or kind, of "
+                    "the surfaces of --method smooth-faces: plane (blue), cylinder (red), cone "
+                    "(green), sphere (yellow), torus (light blue), freeform (purple), several "
+                    "faces (grey).");
 }
 
 void add_segmentation(CLI::App& app, Raw_options& raw)
@@ -208,23 +205,21 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
   const Option_group segmentation(app, "Segmentation");
   segmentation.add("-k,--segments", raw.number_of_segments, "N",
                    "Number of segments. Default: chosen automatically.");
-  segmentation
-    .add("--method", raw.method, "METHOD",
-         "learned, smooth-faces, visibility or two-step.\n"
-         "learned (default): parts as people see them;\n"
-         "smooth-faces: the faces of a machine part;\n"
-         "visibility: parts by a formula;\n"
-         "two-step: Yang et al. 2014; without -k all regions between the features.")
-    ->check(one_of(methods));
+  segmentation.add_choice(
+    "--method", raw.options.settings.method, methods, "METHOD",
+    "learned, smooth-faces, visibility or two-step.\n"
+    "learned (default): parts as people see them;\n"
+    "smooth-faces: the faces of a machine part;\n"
+    "visibility: parts by a formula;\n"
+    "two-step: Yang et al. 2014; without -k all regions between the features.");
   segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
                    "Edges that are borders between segments, whatever the method. A line of the "
                    "file is a sequence of points of the mesh, consecutive ones joined by edges; "
                    "points are given by index, starting from 0. {stem} as in -o.");
-  segmentation
-    .add("--constraints-from", raw.constraints_from, "SETS",
-         "The borders of groups, materials or solids of the INPUT are borders between "
-         "segments, too.")
-    ->check(one_of(set_kinds));
+  segmentation.add_choice(
+    "--constraints-from", raw.options.side_files.constraints_from, set_kinds, "SETS",
+    "The borders of groups, materials or solids of the INPUT are borders between "
+    "segments, too.");
   segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
                    "Faces that belong together, and faces that do not. A line of the file is the "
                    "index of a face and its seed, both starting from 0: equal seeds end in one "
@@ -235,14 +230,13 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
   segmentation.add_flag("--smooth-borders",
                         "Move the borders to where they are shorter and lie in valleys, by minimum "
                         "cuts. Segments of different numbers are no longer nested.");
-  segmentation
-    .add("--features", raw.features, "KIND",
-         "For two-step: edges that can be features: concave (default), convex or all.")
-    ->check(one_of(features));
-  segmentation.add("--max-angle", raw.maximum_angle, "DEGREES",
+  segmentation.add_choice(
+    "--features", raw.options.settings.features, features, "KIND",
+    "For two-step: edges that can be features: concave (default), convex or all.");
+  segmentation.add("--max-angle", raw.options.settings.maximum_angle, "DEGREES",
                    "For two-step: the angle between the normals of two faces above which their "
                    "edge is a feature. Default: 1.2372.");
-  segmentation.add("--tolerance", raw.tolerance, "DISTANCE",
+  segmentation.add("--tolerance", raw.options.settings.tolerance, "DISTANCE",
                    "For smooth-faces: the largest distance of a vertex from the surface of its "
                    "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
                    "found from the mesh.");
@@ -362,8 +356,7 @@ Viewpoint checked_viewpoint(double azimuth, double elevation, const Up_direction
 /// The options of pictures. \throws Usage_error unless sizes and angles are within their ranges
 View_options checked_view(const CLI::App& app, const Raw_options& raw)
 {
-  View_options view;
-  view.up = up_directions.at(raw.up);
+  View_options view = raw.options.view;
   if (app.count("--view") > 0)
     view.viewpoint = checked_viewpoint(raw.view.first, raw.view.second, view.up);
   if (app.count("--size") > 0) {
@@ -383,13 +376,14 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
     throw Usage_error("--demo: there is an INPUT, too");
   if (app.count("--demo") == 0 && raw.options.inputs.empty())
     throw Usage_error("no INPUT; --demo segments a model of the program");
+  const Method method = raw.options.settings.method;
+  const std::string name = method_names[std::size_t(method)];
   for (const char* option : {"--features", "--max-angle"})
-    if (raw.method != "two-step" && app.count(option) > 0)
-      throw Usage_error(std::string(option) + ": --method " + raw.method + " has no feature edges");
-  if (methods.at(raw.method) != Method::SMOOTH_FACES && app.count("--tolerance") > 0)
-    throw Usage_error("--tolerance: --method " + raw.method + " fits no surfaces to faces");
-  if (colorings.at(raw.coloring) == Coloring::KINDS &&
-      methods.at(raw.method) != Method::SMOOTH_FACES)
+    if (method != Method::TWO_STEP && app.count(option) > 0)
+      throw Usage_error(std::string(option) + ": --method " + name + " has no feature edges");
+  if (method != Method::SMOOTH_FACES && app.count("--tolerance") > 0)
+    throw Usage_error("--tolerance: --method " + name + " fits no surfaces to faces");
+  if (raw.options.coloring == Coloring::KINDS && method != Method::SMOOTH_FACES)
     throw Usage_error("--color kind: --method smooth-faces alone finds kinds of surfaces");
   if (app.count("--labels") > 0 && app.count("--labels-from") > 0)
     throw Usage_error("--labels-from: there are --labels, too");
@@ -441,28 +435,17 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     options.settings.number_of_segments = whole_number(
       "-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
   options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
-  if (app.count("--max-angle") > 0) {
-    if (!(raw.maximum_angle >= 0 && raw.maximum_angle <= 180))
-      throw Usage_error("--max-angle: an angle from 0 to 180 degrees");
-    options.settings.maximum_angle = raw.maximum_angle;
-  }
-  if (!(raw.tolerance >= 0 && std::isfinite(raw.tolerance)))
+  const double angle = options.settings.maximum_angle.value_or(0),
+               tolerance = options.settings.tolerance;
+  if (!(angle >= 0 && angle <= 180))
+    throw Usage_error("--max-angle: an angle from 0 to 180 degrees");
+  if (!(tolerance >= 0 && std::isfinite(tolerance)))
     throw Usage_error("--tolerance: a finite distance, not negative");
-  options.settings.tolerance = raw.tolerance;
-  if (!raw.input_format.empty())
-    options.input_format = formats.at(raw.input_format);
-  if (!raw.labels_from.empty())
-    options.side_files.labels_from = set_kinds.at(raw.labels_from);
-  if (!raw.constraints_from.empty())
-    options.side_files.constraints_from = set_kinds.at(raw.constraints_from);
-  options.settings.method = methods.at(raw.method);
-  options.settings.features = features.at(raw.features);
   options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING
                                                                : Border_treatment::NONE;
   options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE
                                                        : Component_links::FOUND;
   options.view = checked_view(app, raw);
-  options.coloring = colorings.at(raw.coloring);
   options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;
 }

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "page/page_data.h"
+#include "page/page.h"
 
-#include "segmentation/segment_json.h"
+#include "soup/little_endian.h"
 #include "view/choose_viewpoint.h"
 #include "view/segment_colors.h"
 
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 
-#include <boost/endian/conversion.hpp>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,10 +43,7 @@ public:
   void append(Value value)
   {
     static_assert(sizeof(Value) == 4, "all numbers have four bytes");
-    std::uint32_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    boost::endian::native_to_little_inplace(bits);
-    m_bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    append_little_endian(m_bytes, value);
     ++m_length;
   }
 
@@ -70,23 +64,13 @@ private:
 };
 
 /// As differences from one to the next, which compress well.
-class Difference_writer
+template <typename Values>
+void append_differences(const Values& values, Array_file& file)
 {
-public:
-  explicit Difference_writer(Array_file& file)
-    : m_file(file)
-  {}
-
-  void append(std::size_t value)
-  {
-    m_file.append(std::int32_t(std::uint32_t(value) - m_last));
-    m_last = std::uint32_t(value);
-  }
-
-private:
-  Array_file& m_file;
-  std::uint32_t m_last = 0;
-};
+  std::uint32_t last = 0;
+  for (const std::size_t value : values)
+    file.append(std::int32_t(std::uint32_t(value) - std::exchange(last, std::uint32_t(value))));
+}
 
 /// Centered, and scaled so that the largest side of the box has length 2.
 void append_points(const Polygon_soup& soup, Array_file& file)
@@ -103,14 +87,9 @@ void append_faces(const Page_content& content, Array_file& file)
   for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
     file.append(std::uint32_t(polygon.size()));
   file.end_array("sizes", "Uint32Array");
-  Difference_writer corners(file);
-  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
-    for (std::size_t i : polygon)
-      corners.append(i);
+  append_differences(content.soup.polygons.corners(), file);
   file.end_array("corners", "Int32Array");
-  Difference_writer regions(file);
-  for (std::size_t region : content.segmentation.region_of_face)
-    regions.append(region);
+  append_differences(content.segmentation.region_of_face, file);
   file.end_array("regions", "Int32Array");
 }
 
@@ -213,10 +192,11 @@ ordered_json shapes_json(const Page_content& content)
   return shapes;
 }
 
-std::string text_of(const ordered_json& json)
+std::string text_of(const ordered_json& json, Characters characters)
 {
   constexpr int on_one_line = -1;
-  return json.dump(on_one_line, ' ', true, ordered_json::error_handler_t::replace);
+  return json.dump(on_one_line, ' ', characters == Characters::ASCII,
+                   ordered_json::error_handler_t::replace);
 }
 
 } // namespace segment_mesh

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "page/write_page.h"
+#include "page/page.h"
 
 #ifdef SEGMENT_MESH_HAS_PAGES
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <boost/iostreams/compose.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
@@ -49,20 +51,11 @@ std::string base64(const std::string& bytes)
 std::string compressed(const std::string& bytes)
 {
   std::string result;
-  boost::iostreams::filtering_ostream out;
-  out.push(boost::iostreams::gzip_compressor());
-  out.push(boost::iostreams::back_inserter(result));
+  boost::iostreams::filtering_ostream out(boost::iostreams::gzip_compressor() |
+                                          boost::iostreams::back_inserter(result));
   out.write(bytes.data(), std::streamsize(bytes.size()));
   out.reset();
   return result;
-}
-
-/// JSON inside of a script element must not end it.
-std::string script_text(std::string json)
-{
-  for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
-    json.replace(at, 1, "\\u003c");
-  return json;
 }
 
 } // namespace
@@ -77,7 +70,8 @@ void write_page(std::ostream& out, const Page_content& content)
   Page_data data = page_data(content);
   data.content["coloring"] = content.coloring == Coloring::KINDS ? "kinds" : "segments";
   data.content["shapes"] = shapes_json(content);
-  const std::string json = script_text(text_of(data.content)),
+  // JSON inside of a script element must not end it.
+  const std::string json = boost::replace_all_copy(text_of(data.content), "<", "\\u003c"),
                     arrays = base64(compressed(data.arrays));
   // Only a page that has the library is live.
   const std::map<std::string, std::string> parts = {{"STYLE", embedded::page_css},

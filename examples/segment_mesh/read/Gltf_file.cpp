@@ -6,7 +6,7 @@
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 
 #include <algorithm>
 #include <charconv>
@@ -136,7 +136,7 @@ void Gltf_file::fail(const std::string& cause) const
 void Gltf_file::split(std::string_view bytes)
 {
   const auto number = [bytes](std::size_t at) {
-    return std::size_t(read_little_endian<std::uint32_t>(&bytes[at]));
+    return std::size_t(read_bytes<std::uint32_t>(&bytes[at]));
   };
   const auto chunk = [&](std::size_t start) {
     if (bytes.size() < start + 8)
@@ -295,8 +295,7 @@ std::vector<double> Gltf_file::stored(const Json& place, const Json& format, std
     constexpr double unit = double((std::numeric_limits<Number>::max)());
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < components; ++j) {
-        const double number = read_little_endian<Number>(
-          &bytes[offset + i * stride + j * sizeof(Number)]);
+        const double number = read_bytes<Number>(&bytes[offset + i * stride + j * sizeof(Number)]);
         result.push_back(is_normalized ? (std::max)(number / unit, -1.0) : number);
       }
   });

@@ -29,6 +29,12 @@ bool is_blank(char c)
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+/// Without the sign that std::from_chars() does not know.
+std::string_view without_plus(std::string_view word)
+{
+  return word.substr(word.substr(0, 1) == "+" && word.substr(1, 1) != "-" ? 1 : 0);
+}
+
 } // namespace
 
 Text_scanner::Text_scanner(const std::string& file, std::string_view text, char comment,
@@ -140,21 +146,13 @@ void Text_scanner::fail(const std::string& cause) const
 
 double Text_scanner::finite_number(std::string_view word) const
 {
-  double fast_value = 0;
-  const auto [fast_end, error] = from_chars(word.data(), word.data() + word.size(), fast_value);
-  if (error == std::errc() && fast_end == word.data() + word.size() && std::isfinite(fast_value))
-    return fast_value;
-
-  // strtod() takes some words more, with a sign or too close to 0, but has to copy them.
-  const std::string text(word);
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  // strtod() also takes hexadecimal numbers, which CGAL's readers do not.
-  const bool is_number = !text.empty() && *end == '\0' &&
-                         text.size() == std::size_t(end - &text[0]) &&
-                         text.find_first_of("xX") == std::string::npos;
-  if (!is_number)
+  const std::string_view digits = without_plus(word);
+  double value = 0;
+  const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
     fail(in_quotes(word) + " is not a number");
+  if (error == std::errc::result_out_of_range)
+    value = std::strtod(std::string(digits).c_str(), nullptr); // infinite, or near to 0
   if (!std::isfinite(value))
     fail(in_quotes(word) + " is not a finite number");
   return value;
@@ -162,7 +160,7 @@ double Text_scanner::finite_number(std::string_view word) const
 
 std::int64_t Text_scanner::integer(std::string_view word, const char* what) const
 {
-  const std::string_view digits = word.substr(!word.empty() && word[0] == '+' ? 1 : 0);
+  const std::string_view digits = without_plus(word);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size())
@@ -172,7 +170,7 @@ std::int64_t Text_scanner::integer(std::string_view word, const char* what) cons
 
 double number_or_zero(std::string_view word)
 {
-  word.remove_prefix(!word.empty() && word[0] == '+' ? 1 : 0);
+  word = without_plus(word);
   double value = 0;
   from_chars(word.data(), word.data() + word.size(), value);
   return usable_value(value);
@@ -213,6 +211,12 @@ std::string in_quotes(std::string_view word)
 std::string bytes_not_read(const std::string& file, std::size_t count)
 {
   return one_line(file + ": not read: " + counted(count, "byte"));
+}
+
+std::string out_of_range(std::int64_t index, std::size_t number, const std::string& what, int first)
+{
+  return "index " + std::to_string(index) + " is out of range: there are " + counted(number, what) +
+         ", from " + std::to_string(first);
 }
 
 std::string counted(std::size_t count, const std::string& singular)

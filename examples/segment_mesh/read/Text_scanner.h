@@ -84,6 +84,9 @@ void check_encoding(const std::string& file, std::string_view text);
 std::string in_quotes(std::string_view word);
 /// "FILE: not read: 2 bytes".
 std::string bytes_not_read(const std::string& file, std::size_t count);
+/// "index 4 is out of range: there are 4 points, from 0".
+std::string out_of_range(std::int64_t index, std::size_t number, const std::string& what,
+                         int first);
 /// "1 face", "2 faces".
 std::string counted(std::size_t count, const std::string& singular);
 

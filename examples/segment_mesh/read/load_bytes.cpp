@@ -2,8 +2,8 @@
 
 #include "read/load_bytes.h"
 
-#include "read/Mesh_format.h"
 #include "read/errors.h"
+#include "read/read_mesh.h"
 
 #include <zlib.h>
 

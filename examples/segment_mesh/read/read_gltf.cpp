@@ -234,11 +234,6 @@ private:
     Mesh_properties& properties = m_input.properties;
     for (auto& point : properties.texture.values)
       point[1] = 1 - point[1]; // v is down in glTF
-    const std::size_t number_of_corners = m_soup.polygons.corners().size();
-    if (!properties.texture.empty())
-      properties.texture.of_corner.resize(number_of_corners, properties.texture.none);
-    if (!properties.colors.empty())
-      properties.colors.of_corner.resize(number_of_corners, properties.colors.none);
     properties.of(Set_kind::GROUPS) = m_nodes.build(m_soup.polygons.size());
     if (m_gltf.json().contains("materials") && !m_gltf.json()["materials"].empty())
       try_properties([&] { add_materials(); });

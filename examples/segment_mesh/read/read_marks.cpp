@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <string>
-#include <tuple>
 
 namespace segment_mesh {
 
@@ -23,7 +21,7 @@ std::size_t index_below(const Text_scanner& scan, std::string_view word, std::si
 {
   const std::int64_t index = scan.integer(word, ("the index of a " + what).c_str());
   if (index < 0 || std::uint64_t(index) >= number)
-    scan.fail(in_quotes(word) + " is out of range: there are " + counted(number, what));
+    scan.fail(out_of_range(index, number, what, 0));
   return std::size_t(index);
 }
 
@@ -48,39 +46,6 @@ std::vector<Vertex_pair> read_constraints(const std::string& file, const Input_m
       result.push_back({(std::min)(from, to), (std::max)(from, to)});
       from = to;
     }
-  }
-  return result;
-}
-
-/// The edges of faces of different sets, with the points of each of these faces.
-std::vector<Vertex_pair> borders_of_sets(const Polygon_soup& soup, const Face_sets& sets)
-{
-  struct Side
-  {
-    Vertex_pair place, edge;
-    std::size_t set;
-  };
-  const Edge_list edges(soup);
-  std::vector<Side> sides;
-  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    const Polygon_soup::Polygon& polygon = soup.polygons[f];
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const auto [low,
-                  high] = std::minmax<std::size_t>({polygon[i], polygon[(i + 1) % polygon.size()]});
-      sides.push_back({edges.edge(low, high), {low, high}, sets.set_of_face[f]});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.place, a.set) < std::tie(b.place, b.set);
-  });
-  std::vector<Vertex_pair> result;
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto end = std::find_if(first, sides.end(),
-                                  [=](const Side& s) { return s.place != first->place; });
-    if (first->set != std::prev(end)->set)
-      for (auto side = first; side != end; ++side)
-        result.push_back(side->edge);
-    first = end;
   }
   return result;
 }
@@ -127,8 +92,8 @@ Marks read_marks(const Side_files& files, const std::string& file, const Input_m
   if (!files.constraints.empty())
     marks.constrained_edges = read_constraints(files.constraints, input);
   if (files.constraints_from)
-    for (const Vertex_pair& edge :
-         borders_of_sets(input.soup, sets_of_input(file, input, *files.constraints_from)))
+    for (const Vertex_pair& edge : borders_of_labels(
+           input.soup, sets_of_input(file, input, *files.constraints_from).set_of_face))
       marks.constrained_edges.push_back(edge);
   std::vector<Vertex_pair>& edges = marks.constrained_edges;
   std::sort(edges.begin(), edges.end());

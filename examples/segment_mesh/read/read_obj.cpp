@@ -59,7 +59,8 @@ public:
     if (m_soup.polygons.empty() && m_number_of_unknown > 0)
       throw Input_error(m_file, m_line_of_unknown, "unknown statement " + m_unknown);
     if (m_highest_index > std::int64_t(m_soup.points.size()))
-      throw Input_error(m_file, m_line_of_highest_index, out_of_range(m_highest_index));
+      throw Input_error(m_file, m_line_of_highest_index,
+                        out_of_range(m_highest_index, m_soup.points.size(), "vertex", 1));
     if (m_number_of_unknown > 0)
       m_input.remarks.push_back(one_line(
         m_file + ":" + std::to_string(m_line_of_unknown) + ": unknown statement " + m_unknown +
@@ -149,7 +150,7 @@ private:
   {
     const std::int64_t number_of_vertices = std::int64_t(m_soup.points.size());
     if (index == 0 || index < -number_of_vertices)
-      m_scan.fail(out_of_range(index));
+      m_scan.fail(out_of_range(index, m_soup.points.size(), "vertex", 1));
     if (index > m_highest_index) {
       m_highest_index = index;
       m_line_of_highest_index = m_scan.line_number();
@@ -174,28 +175,13 @@ private:
   void finish_properties()
   {
     Mesh_properties& properties = m_input.properties;
-    auto& texture = properties.texture;
-    for (Polygons::Index& i : texture.of_corner)
-      if (i >= texture.values.size())
-        i = texture.none;
-    if (!texture.values.empty())
-      texture.of_corner.resize(m_soup.polygons.corners().size(), texture.none);
-    else
-      texture.of_corner.clear();
-    if (!properties.colors.values.empty()) {
+    properties.texture.of_corner.resize(m_soup.polygons.corners().size(), properties.texture.none);
+    if (!properties.colors.values.empty())
       properties.colors.values.resize(m_soup.points.size(), Mesh_properties::white);
-      properties.colors.of_corner = m_soup.polygons.corners();
-    }
     properties.of(Set_kind::GROUPS) = m_groups.build(m_soup.polygons.size());
     properties.of(Set_kind::MATERIALS) = m_materials.build(m_soup.polygons.size());
     if (!m_library.files.empty())
       properties.library = std::make_shared<Material_library>(std::move(m_library));
-  }
-
-  std::string out_of_range(std::int64_t index) const
-  {
-    return "index " + std::to_string(index) + " is out of range: there are " +
-           counted(m_soup.points.size(), "vertex") + ", from 1";
   }
 
   std::string m_file;

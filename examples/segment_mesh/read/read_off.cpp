@@ -113,22 +113,13 @@ public:
       input.remarks.push_back(m_scan.not_read() + ": the header promises " +
                               counted(number_of_faces, "face"));
     }
-    if (m_header.has_colors && m_layout == Off_layout::ITEMS_ON_LINES)
-      finish_colors(input);
+    for (Mesh_properties::Rgb& color : input.properties.colors.values)
+      for (float& channel : color) // from 0 to 1 if one of them has a fraction, else to 255
+        channel /= m_has_fractions ? 1 : 255;
     return input;
   }
 
 private:
-  /// Channels are from 0 to 1 if one of them has a fraction, else from 0 to 255.
-  void finish_colors(Input_mesh& input) const
-  {
-    auto& colors = input.properties.colors;
-    for (Mesh_properties::Rgb& color : colors.values)
-      for (float& channel : color)
-        channel /= m_has_fractions ? 1 : 255;
-    colors.of_corner = input.soup.polygons.corners();
-  }
-
   bool go_to_word() { return m_scan.has_word() || m_scan.next_line(); }
 
   void next_item(std::size_t item, std::size_t promised, const char* what)
@@ -183,8 +174,7 @@ private:
       const std::int64_t index = m_scan.integer(word(j, size, "a face", "indices"),
                                                 "an index of a vertex");
       if (index < 0 || index >= m_header.number_of_vertices)
-        m_scan.fail("index " + std::to_string(index) + " is out of range: there are " +
-                    counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+        m_scan.fail(out_of_range(index, std::size_t(m_header.number_of_vertices), "vertex", 0));
       polygons.add_corner(std::size_t(index));
     }
     polygons.close_polygon();

@@ -2,8 +2,8 @@
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/little_endian.h"
 #include "read/read_mesh.h"
+#include "soup/little_endian.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +54,9 @@ struct Ply_header
   std::uint64_t number_of_vertices = 0;
   std::vector<std::string> textures; // files, of comments
 };
+
+/// Of a vertex or a triangle in binary with numbers of one byte.
+constexpr std::size_t least_item_size = 3;
 
 /// The names of formats, in the order of their numbers.
 constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
@@ -239,7 +242,9 @@ public:
       m_input.remarks.push_back(
         (m_is_text ? m_scan.not_read() : bytes_not_read(m_file, m_data.size()) + " at the end") +
         ": the header promises " + items_of(m_header.elements.back()));
-    finish_properties();
+    if (!m_header.textures.empty())
+      m_input.properties.library = std::make_shared<Material_library>(Material_library{
+        std::filesystem::path(m_file).parent_path().string(), {}, m_header.textures, {}, {}});
     return std::move(m_input);
   }
 
@@ -261,17 +266,11 @@ private:
     throw Input_error(m_file, cause);
   }
 
+  /// Memory for the items that the header promises and the file has room for.
   void reserve(const Ply_element& element)
   {
-    constexpr std::size_t digit_and_blank = 2;
-    std::size_t least_size = 0;
-    for (const Ply_property& property : element.properties)
-      least_size += m_is_text ? digit_and_blank
-                              : size_of(property.is_list ? property.size_type : property.type);
-    if (least_size == 0)
-      return;
-    const std::size_t available = m_is_text ? m_scan.available() : m_data.size();
-    const std::size_t size((std::min)(element.count, std::uint64_t(available / least_size)));
+    const std::size_t available = m_is_text ? m_scan.available() : m_data.size(),
+                      size((std::min)(element.count, std::uint64_t(available / least_item_size)));
     if (element.is_vertex())
       m_soup.points.reserve(m_soup.points.size() + size);
     if (element.is_face())
@@ -294,7 +293,9 @@ private:
       using Value = decltype(zero);
       if (m_data.size() < sizeof(Value))
         fail_cut_off();
-      const Value value = read_bytes<Value>(m_data.data(), m_header.format == 1);
+      const Value value = m_header.format == 1
+                            ? read_bytes<Value>(m_data.data())
+                            : read_bytes<Value, boost::endian::order::big>(m_data.data());
       m_data.remove_prefix(sizeof(Value));
       return Result(value);
     });
@@ -395,22 +396,6 @@ private:
     m_texture.clear();
   }
 
-  /// Texture coordinates of vertices are those of their corners, unless faces have some.
-  void finish_properties()
-  {
-    auto& [sets, colors, texture, library] = m_input.properties;
-    const std::vector<Polygons::Index>& corners = m_soup.polygons.corners();
-    if (colors.values.size() == m_soup.points.size())
-      colors.of_corner = corners;
-    if (!texture.empty())
-      texture.of_corner.resize(corners.size(), texture.none);
-    else if (texture.values.size() == m_soup.points.size())
-      texture.of_corner = corners;
-    if (!m_header.textures.empty())
-      library = std::make_shared<Material_library>(Material_library{
-        std::filesystem::path(m_file).parent_path().string(), m_header.textures, {}, {}});
-  }
-
   void read_face(Number_type type, std::int64_t size)
   {
     if (size < 3)
@@ -423,8 +408,7 @@ private:
   std::size_t checked(std::int64_t index) const
   {
     if (index < 0 || std::uint64_t(index) >= m_header.number_of_vertices)
-      fail("index " + std::to_string(index) + " is out of range: there are " +
-           counted(std::size_t(m_header.number_of_vertices), "vertex") + ", from 0");
+      fail(out_of_range(index, std::size_t(m_header.number_of_vertices), "vertex", 0));
     return std::size_t(index);
   }
 

@@ -3,7 +3,7 @@
 #include "read/Face_set_builder.h"
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 #include "read/read_mesh.h"
 #include "soup/vector_algebra.h"
 
@@ -20,7 +20,7 @@ constexpr std::size_t triangle_size = 50; // a normal and 3 points as floats, 2 
 
 std::size_t promised_triangles(std::string_view bytes)
 {
-  return bytes.size() < data_offset ? 0 : read_little_endian<std::uint32_t>(&bytes[header_size]);
+  return bytes.size() < data_offset ? 0 : read_bytes<std::uint32_t>(&bytes[header_size]);
 }
 
 bool has_size_of_binary(std::string_view bytes)
@@ -73,7 +73,7 @@ Input_mesh read_binary(const std::string& file, std::string_view bytes)
         at = &bytes[data_offset + triangle_size * i + normal_size + 3 * sizeof(float) * corner];
       Point& point = points.emplace_back();
       for (std::size_t j = 0; j < 3; ++j)
-        point[j] = read_little_endian<float>(at + sizeof(float) * j);
+        point[j] = read_bytes<float>(at + sizeof(float) * j);
       if (!is_finite(point))
         throw Input_error(file, "triangle " + std::to_string(i) +
                                   ", from 0, has a coordinate that is not a finite number");
@@ -107,27 +107,19 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
     scan.fail("a face with " + counted(size, "vertex") + ", fewer than 3");
 }
 
-struct Solid_line
-{
-  std::string name;
-  bool is_facet_next;
-};
-
-/// Reads the name of a solid, up to the end of its line, or past `facet normal` where the file has
+/// Reads the name of a solid, up to the end of its line, or up to `facet normal` where the file has
 /// all on one line.
-Solid_line read_name(Text_scanner& scan)
+std::string read_name(Text_scanner& scan)
 {
   std::string name;
-  std::string_view previous, word = scan.word();
-  while (!word.empty() && !(is_word(previous, "facet") && is_word(word, "normal"))) {
+  Text_scanner ahead = scan;
+  for (std::string_view word = ahead.word(); !word.empty(); word = ahead.word()) {
+    if (is_word(word, "facet") && is_word(Text_scanner(ahead).word(), "normal"))
+      break;
     name += (name.empty() ? "" : " ") + std::string(word);
-    previous = word;
-    word = scan.word();
+    scan = ahead;
   }
-  if (word.empty())
-    return {name, false};
-  name.resize(name.size() - previous.size());
-  return {name.substr(0, name.find_last_not_of(' ') + 1), true};
+  return name;
 }
 
 /// Names of solids may hold any word, and solids may be several.
@@ -141,22 +133,20 @@ Input_mesh read_text(const std::string& file, std::string_view bytes)
        word = scan.word_of_any_line()) {
     const bool is_end = is_word(word, "endsolid") ||
                         (is_word(word, "end") && is_word(scan.word_of_any_line(), "solid"));
-    bool is_facet = is_in_solid && is_word(word, "facet");
     if (is_word(word, "solid") && !is_in_solid) {
       is_in_solid = true;
-      const Solid_line line = read_name(scan);
-      is_facet = line.is_facet_next;
-      solids.start_new(line.name, points.size() / 3);
+      solids.start_new(read_name(scan), points.size() / 3);
     } else if (is_end && is_in_solid) {
-      is_in_solid = is_facet = read_name(scan).is_facet_next;
+      read_name(scan);
+      is_in_solid = scan.has_word(); // the start of the next solid was taken for this name
+    } else if (is_word(word, "facet") && is_in_solid) {
+      read_facet(scan, points);
     } else if (is_word(word, "color") && is_in_solid) {
       for (int i = 0; i < 3; ++i)
         scan.word();
-    } else if (!is_facet)
+    } else
       scan.fail(in_quotes(word) +
                 (is_in_solid ? " where 'facet' or 'endsolid' is due" : " where 'solid' is due"));
-    if (is_facet)
-      read_facet(scan, points);
   }
   if (is_in_solid)
     scan.fail("the file ends before 'endsolid'");

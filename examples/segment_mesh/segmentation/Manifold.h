@@ -8,6 +8,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -35,6 +37,13 @@ struct Manifold
     return result;
   }
 };
+
+/// The values of the faces of a mesh as a property map.
+template <typename Values>
+auto face_map(const Manifold::Mesh& mesh, Values& values)
+{
+  return boost::make_iterator_property_map(values.begin(), get(boost::face_index, mesh));
+}
 
 Manifold make_manifold(const Polygon_soup& soup);
 

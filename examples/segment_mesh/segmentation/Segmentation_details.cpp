@@ -19,8 +19,6 @@
 #include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
 #include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <iomanip>
@@ -48,7 +46,6 @@ public:
   explicit Numbered_tree(const RS::Merge_tree& tree)
     : m_number_of_regions(tree.number_of_regions())
     , m_parents(m_number_of_regions + tree.merges().size(), none)
-    , m_heights(m_parents.size())
   {
     std::vector<std::size_t> node_of_region(m_number_of_regions);
     for (std::size_t r = 0; r < m_number_of_regions; ++r)
@@ -64,7 +61,7 @@ public:
   /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of
   /// disjoint ones: of one height above those of them that have no child among them. Groups are
   /// small, so that several threads have some.
-  std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments)
+  std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments) const
   {
     constexpr std::size_t greatest_group = 8;
     std::vector<std::vector<std::size_t>> groups;
@@ -72,21 +69,21 @@ public:
     if (number_of_roots > number_of_segments)
       return groups;
     std::map<std::size_t, std::size_t> open_groups; // by height
-    std::fill(m_heights.begin(), m_heights.end(), 0);
+    std::vector<std::size_t> heights(m_parents.size());
     for (std::size_t node = 0; node < m_parents.size(); ++node) {
       // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
       // R - i.
       const std::size_t parent = m_parents[node];
       if (parent != none && 2 * m_number_of_regions - parent > number_of_segments)
         continue;
-      const auto [group, is_new] = open_groups.emplace(m_heights[node], groups.size());
+      const auto [group, is_new] = open_groups.emplace(heights[node], groups.size());
       if (is_new || groups[group->second].size() == greatest_group) {
         group->second = groups.size();
         groups.emplace_back();
       }
       groups[group->second].push_back(node);
       if (parent != none)
-        m_heights[parent] = (std::max)(m_heights[parent], m_heights[node] + 1);
+        heights[parent] = (std::max)(heights[parent], heights[node] + 1);
     }
     return groups;
   }
@@ -109,7 +106,6 @@ private:
 
   std::size_t m_number_of_regions;
   std::vector<std::size_t> m_parents;
-  std::vector<std::size_t> m_heights;
 };
 
 /// Of a segment that is a face of a machine part.
@@ -278,9 +274,7 @@ Segmentation_details::describe(const std::vector<std::size_t>& labels) const
   const Mesh& mesh = manifold().mesh;
   const std::vector<std::size_t> labels_of_mesh = manifold().values_of_mesh_faces(labels);
   std::vector<RS::Segment_description<std::size_t, Kernel>> descriptions;
-  RS::describe_segments(
-    mesh, boost::make_iterator_property_map(labels_of_mesh.begin(), get(boost::face_index, mesh)),
-    std::back_inserter(descriptions));
+  RS::describe_segments(mesh, face_map(mesh, labels_of_mesh), std::back_inserter(descriptions));
   std::map<std::size_t, Surface_face> faces;
   if (machine_part())
     faces = machine_part()->faces(labels);
@@ -396,9 +390,7 @@ std::vector<Border> Segmentation_details::borders() const
   std::vector<RS::Segment_border<Mesh, std::size_t>> borders;
   const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(
     m_segmentation.segment_of_face);
-  RS::extract_segment_borders(
-    m, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
-    std::back_inserter(borders));
+  RS::extract_segment_borders(m, face_map(m, labels), std::back_inserter(borders));
   const std::vector<std::size_t>& points = manifold().point_of_mesh_point;
   std::vector<Border> result;
   for (const auto& border : borders) {
@@ -416,9 +408,7 @@ Solids Segmentation_details::solids() const
   const std::vector<std::size_t> labels = manifold().values_of_mesh_faces(
     m_segmentation.segment_of_face);
   std::vector<RS::Segment_piece<Mesh, Mesh, std::size_t>> pieces;
-  RS::close_segments(m,
-                     boost::make_iterator_property_map(labels.begin(), get(boost::face_index, m)),
-                     std::back_inserter(pieces));
+  RS::close_segments(m, face_map(m, labels), std::back_inserter(pieces));
   Solids result;
   for (const auto& piece : pieces) {
     const std::size_t first = result.soup.points.size();
@@ -450,7 +440,7 @@ std::vector<std::size_t> Segmentation_details::colors(Coloring coloring,
 
 std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_segments) const
 {
-  Numbered_tree tree(m_segmentation.tree);
+  const Numbered_tree tree(m_segmentation.tree);
   const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
   manifold(), machine_part(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());

@@ -11,6 +11,8 @@
 #include <CGAL/Region_segmentation/Segments/Segment_description.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +52,10 @@ struct Segment_description : CGAL::Region_segmentation::Segment_description<std:
   std::optional<Surface_face> face; ///< unless faces were merged
   std::optional<std::vector<std::size_t>> smooth_neighbors;
 };
+
+/// The shape of a segment as an object, see doc/Region_segmentation/Program.txt; values that are
+/// not finite are null.
+nlohmann::ordered_json segment_json(const Segment_description& segment);
 
 /// Points by their indices.
 using Polyline = std::vector<std::size_t>;

@@ -2,7 +2,7 @@
 
 #include "segmentation/Manifold.h"
 
-#include "soup/link_corners.h"
+#include "soup/is_oriented_manifold.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <CGAL/Region_segmentation/Graph/Number_range.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
@@ -83,20 +84,13 @@ private:
   std::vector<Start> m_starts;
 };
 
-template <typename Chooser, typename = void>
-constexpr bool has_largest_number = false;
-template <typename Chooser>
-constexpr bool
-  has_largest_number<Chooser, std::void_t<decltype(std::declval<const Chooser&>().largest_number(
-                                std::declval<const RS::Merge_tree&>()))>> = true;
-
 /// The number that was chosen, if the chooser would not choose a larger one, but the tree has more
 /// regions than it, and fewer components.
 template <typename Chooser>
 std::optional<std::size_t> largest_number(const Chooser& chooser, std::size_t number,
                                           const RS::Merge_tree& tree)
 {
-  if constexpr (has_largest_number<Chooser>) {
+  if constexpr (std::is_base_of<RS::Number_range, Chooser>::value) {
     const std::size_t number_of_components = tree.number_of_regions() - tree.merges().size();
     if (number == chooser.largest_number(tree) && number_of_components < number &&
         number < tree.number_of_regions())
@@ -246,10 +240,7 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
 
   Stage_clock clock(listener);
   RS::smooth_borders<CGAL::Parallel_if_available_tag>(
-    manifold.mesh,
-    boost::make_iterator_property_map(labels.segment_of_face.begin(),
-                                      get(boost::face_index, manifold.mesh)),
-    {},
+    manifold.mesh, face_map(manifold.mesh, labels.segment_of_face), {},
     RS::parameters::visitor(std::ref(clock))
       .edge_is_constrained_map(boost::make_iterator_property_map(
         is_constrained.begin(), get(boost::edge_index, manifold.mesh))));

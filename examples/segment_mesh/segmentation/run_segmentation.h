@@ -32,6 +32,9 @@ enum class Method { TWO_STEP, VISIBILITY, LEARNED, SMOOTH_FACES };
 /// The names of the methods, in their order.
 constexpr const char* method_names[] = {"two-step", "visibility", "learned", "smooth-faces"};
 
+/// The names of `Feature_convexity`, in their order.
+constexpr const char* feature_names[] = {"convex", "concave", "all"};
+
 /// What becomes of the borders that a method gives.
 enum class Border_treatment { NONE, SMOOTHING };
 

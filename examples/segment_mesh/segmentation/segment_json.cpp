@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "segmentation/segment_json.h"
+#include "segmentation/Segmentation_details.h"
 
 #include "segmentation/segment_attributes.h"
 
@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace segment_mesh {
 
@@ -20,26 +21,14 @@ namespace {
 using nlohmann::ordered_json;
 namespace RS = CGAL::Region_segmentation;
 
-ordered_json to_json(double value)
+/// Of a number, of numbers, of a point or a vector.
+template <typename Value>
+ordered_json to_json(const Value& value)
 {
-  return value;
-}
-
-ordered_json to_json(std::int64_t value)
-{
-  return value;
-}
-
-ordered_json to_json(const std::array<double, 3>& values)
-{
-  return values;
-}
-
-/// Of a point or a vector.
-template <typename Triple>
-ordered_json to_json(const Triple& v)
-{
-  return {v.x(), v.y(), v.z()};
+  if constexpr (std::is_constructible<ordered_json, Value>::value)
+    return value;
+  else
+    return {value.x(), value.y(), value.z()};
 }
 
 ordered_json to_json(const std::array<Kernel::Vector_3, 3>& vectors)

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace segment_mesh {
@@ -43,6 +45,28 @@ private:
   std::vector<std::size_t> m_first; // for each point the first one at its place
   std::vector<Vertex_pair> m_edges;
 };
+
+/// The edges whose faces have several labels, in ascending order.
+template <typename Labels>
+std::vector<Vertex_pair> borders_of_labels(const Polygon_soup& soup, const Labels& labels)
+{
+  const Edge_list edges(soup);
+  std::vector<std::pair<Vertex_pair, std::int64_t>> sides;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    const Polygon_soup::Polygon polygon = soup.polygons[f];
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      sides.push_back({edges.edge(polygon[i], polygon[(i + 1) % polygon.size()]), labels[f]});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Vertex_pair> result;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const auto& [edge, label] = sides[i];
+    if (edge == sides[i - 1].first && label != sides[i - 1].second &&
+        (result.empty() || result.back() != edge))
+      result.push_back(edge);
+  }
+  return result;
+}
 
 } // namespace segment_mesh
 

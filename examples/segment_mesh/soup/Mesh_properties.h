@@ -48,6 +48,19 @@ struct Corner_values
     return of_corner[corner] == none ? otherwise : values[of_corner[corner]];
   }
 
+  /// What a reader has left open: as many values as points are those of the points; corners at the
+  /// end, and those whose value is not there, have none.
+  void finish(const Polygon_soup& soup)
+  {
+    const std::vector<Polygons::Index>& corners = soup.polygons.corners();
+    if (of_corner.empty() && values.size() == soup.points.size())
+      of_corner = corners;
+    else if (!of_corner.empty())
+      of_corner.resize(values.empty() ? 0 : corners.size(), none);
+    for (Polygons::Index& i : of_corner)
+      i = i < values.size() ? i : none;
+  }
+
   /// Of each point, that at its first corner. \pre not empty
   std::vector<Value> of_points(const Polygon_soup& soup, const Value& otherwise) const
   {
@@ -61,11 +74,12 @@ struct Corner_values
 /// The materials themselves, as their file has them.
 struct Material_library
 {
-  std::string folder;              ///< of the file, which names of files start from
-  std::vector<std::string> files;  ///< of OBJ the .mtl files, of PLY the images of textures
-  std::string gltf;                ///< of glTF: `materials` and what they refer to, as JSON; an
-                                   ///< image's `bufferView` is its place in `images`
-  std::vector<std::string> images; ///< bytes
+  std::string folder;                ///< of the file, which names of files start from
+  std::vector<std::string> files;    ///< of OBJ: .mtl
+  std::vector<std::string> textures; ///< of PLY: the files of images
+  std::string gltf;                  ///< of glTF: `materials` and what they refer to, as JSON; an
+                                     ///< image's `bufferView` is its place in `images`
+  std::vector<std::string> images;   ///< bytes
 };
 
 /// What a file says of a mesh beside its points and faces. What it does not have is empty.

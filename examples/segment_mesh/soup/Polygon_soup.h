@@ -6,7 +6,6 @@
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -101,12 +100,6 @@ public:
   }
   void push_back(std::initializer_list<std::size_t> points) { push_back<>(points); }
 
-  /// Gives a polygon other points, as many as it has.
-  void replace(std::size_t f, std::initializer_list<std::size_t> points)
-  {
-    std::copy(points.begin(), points.end(), m_corners.begin() + std::ptrdiff_t(first_corner(f)));
-  }
-
   /// Replaces each index `i` of a point by `new_index(i)`.
   template <typename NewIndex>
   void renumber(NewIndex new_index)
@@ -140,16 +133,6 @@ struct Polygon_soup
   std::vector<Point> points;
   Polygons polygons;
 };
-
-/// The mean of the corners.
-inline Point centroid(const Polygon_soup& soup, const Polygon_soup::Polygon& polygon)
-{
-  Point mean = {0, 0, 0};
-  for (std::size_t i : polygon)
-    for (std::size_t j = 0; j < 3; ++j)
-      mean[j] += soup.points[i][j] / double(polygon.size());
-  return mean;
-}
 
 } // namespace segment_mesh
 

@@ -10,16 +10,6 @@ namespace segment_mesh {
 
 namespace {
 
-/// Twice the vector area.
-Point area_vector(const std::vector<Point>& corners)
-{
-  Point sum = {0, 0, 0};
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum = plus(sum,
-               cross_product(minus(corners[i], corners[0]), minus(corners[i + 1], corners[0])));
-  return sum;
-}
-
 class Ear_clipping
 {
 public:
@@ -94,7 +84,7 @@ void triangulate_polygon(const std::vector<Point>& points, const Polygon_soup::P
   std::vector<Point> corners;
   for (std::size_t v : polygon)
     corners.push_back(points[v]);
-  const Point normal = unit_vector(area_vector(corners));
+  const Point normal = unit_vector(area_vector(points, polygon));
   Ear_clipping clipping(std::move(corners), normal);
   while (clipping.size() > 2) {
     const auto [a, b, c] = clipping.clip();

@@ -6,6 +6,7 @@
 #include "soup/Polygon_soup.h"
 
 #include <cmath>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -46,6 +47,19 @@ inline Point unit_vector(const Point& v)
 {
   const double size = length(v);
   return size > 0 ? times(1 / size, v) : Point{0, 0, 0};
+}
+
+/// The normal of a polygon, whose corners are indices of points, twice as long as its area is
+/// large, by Newell's formula.
+template <typename Polygon>
+Point area_vector(const std::vector<Point>& points, const Polygon& polygon)
+{
+  const Point& origin = points[polygon[0]];
+  Point sum = {0, 0, 0};
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    sum = plus(
+      sum, cross_product(minus(points[polygon[i]], origin), minus(points[polygon[i + 1]], origin)));
+  return sum;
 }
 
 inline bool is_finite(const Point& p)

@@ -26,7 +26,7 @@ public:
     for (const auto& face : faces) {
       for (std::size_t point : face)
         m_faces_of_point[point].push_back(m_area_vectors.size());
-      m_area_vectors.push_back(area_vector(face));
+      m_area_vectors.push_back(area_vector(points, face));
     }
   }
 
@@ -51,18 +51,6 @@ public:
   }
 
 private:
-  /// By Newell's formula, relative to the first corner: as long as twice the area.
-  template <typename Face>
-  Point area_vector(const Face& face) const
-  {
-    const Point& origin = m_points[face[0]];
-    Point sum = {0, 0, 0};
-    for (std::size_t c = 1; c + 1 < face.size(); ++c)
-      sum = plus(
-        sum, cross_product(minus(m_points[face[c]], origin), minus(m_points[face[c + 1]], origin)));
-    return sum;
-  }
-
   /// The sum of the area vectors round a point that are near a direction, turned to its side,
   /// should they be turned the wrong way.
   Point sum_near(const Point& direction, std::size_t point) const

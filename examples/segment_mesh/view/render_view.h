@@ -8,6 +8,7 @@
 #include "view/segment_colors.h"
 
 #include <cstddef>
+#include <iosfwd>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,11 @@ struct View_options
 /// and a point for each corner and each end of an edge
 Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
                   const std::vector<Vertex_pair>& feature_edges, const View_options& options = {});
+
+/// Writes an image by libpng. No time and no name of a program is in it: the same bytes for the
+/// same image. \throws std::runtime_error for an image without pixels, or if libpng fails; a
+/// failure to write sets the state of `out`
+void write_png(const Image& image, std::ostream& out);
 
 } // namespace segment_mesh
 

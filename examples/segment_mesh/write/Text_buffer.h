@@ -75,10 +75,7 @@ void write_numbers(Text_buffer& text, const char* start, const Numbers& numbers)
 {
   const char* separator = start;
   for (const auto number : numbers) {
-    if constexpr (sizeof(number) == 1)
-      text << separator << std::int64_t(number);
-    else
-      text << separator << number;
+    text << separator << number;
     separator = " ";
   }
 }

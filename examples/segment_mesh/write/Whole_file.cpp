@@ -108,13 +108,13 @@ bool is_written_directly(const std::string& file)
          (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
 }
 
-fs::path resolve_links(const std::string& file)
+std::string resolve_links(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
   const fs::path path = follow_links_to_nothing(fs::absolute(file, error));
   const fs::path resolved = fs::weakly_canonical(path, error);
-  return error ? fs::path(file) : resolved;
+  return error ? file : resolved.string();
 }
 
 void occupy_closed_standard_streams()

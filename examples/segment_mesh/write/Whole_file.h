@@ -42,7 +42,7 @@ bool is_written_directly(const std::string& file);
 /// The file that is written where `file` is opened: an absolute path without symbolic links, the
 /// same for all names of a file, whether it is there or not. The name itself where that cannot be
 /// found out; of a link that leads to itself a link.
-std::filesystem::path resolve_links(const std::string& file);
+std::string resolve_links(const std::string& file);
 
 /// Occupies the descriptors of those of stdin, stdout and stderr that are closed, so that no file
 /// gets them, into which messages would be written then. Reading from them, or writing to them,

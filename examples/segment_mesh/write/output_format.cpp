@@ -3,7 +3,9 @@
 #include "write/output_format.h"
 
 #include "read/errors.h"
-#include "read/Mesh_format.h"
+#include "read/read_mesh.h"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,6 +15,10 @@
 namespace segment_mesh {
 
 namespace {
+
+/// The formats by the words for them, in the order of `Output_format`.
+const std::vector<std::string> format_names = {"seg", "ply",  "off", "obj", "vtp", "json", "csv",
+                                               "png", "html", "glb", "3mf", "stl", "msh",  "step"};
 
 /// The names of stdout that systems give it.
 bool names_stdout(const std::string& file)
@@ -24,10 +30,10 @@ bool names_stdout(const std::string& file)
 /// The format that a word names, if there is one.
 std::optional<Output_format> format_of_word(const std::string& word)
 {
-  const std::vector<std::string>& names = output_format_names();
-  const auto found = std::find(names.begin(), names.end(), word);
-  return found == names.end() ? std::nullopt
-                              : std::optional<Output_format>(Output_format(found - names.begin()));
+  const auto found = std::find(format_names.begin(), format_names.end(), word);
+  if (found == format_names.end())
+    return std::nullopt;
+  return Output_format(found - format_names.begin());
 }
 
 bool is_mesh(Output_format format)
@@ -60,14 +66,6 @@ void check(const Output& output)
 
 } // namespace
 
-const std::vector<std::string>& output_format_names()
-{
-  static const std::vector<std::string> names = {"seg",  "ply", "off", "obj",  "vtp",
-                                                 "json", "csv", "png", "html", "glb",
-                                                 "3mf",  "stl", "msh", "step"};
-  return names;
-}
-
 bool has_names(Output_format format)
 {
   return format == Output_format::OBJ || format == Output_format::STL ||
@@ -75,13 +73,9 @@ bool has_names(Output_format format)
          format == Output_format::MSH;
 }
 
-std::string with_segment(std::string file, const std::string& number)
+std::string with_segment(const std::string& file, const std::string& number)
 {
-  const std::string placeholder = segment_placeholder;
-  for (std::size_t at = file.find(placeholder); at != std::string::npos;
-       at = file.find(placeholder, at))
-    file.replace(at, placeholder.size(), number);
-  return file;
+  return boost::replace_all_copy(file, segment_placeholder, number);
 }
 
 std::string material_library(const Output& output)
@@ -124,7 +118,7 @@ Output make_output(const std::string& text, Output_content content)
     throw Usage_error("-o " + file + ": needs a format, as in -o ply:" + file);
   if (!format)
     throw Usage_error(file + ": unknown extension of an output, not " +
-                      list_of_endings(output_format_names()));
+                      list_of_endings(format_names));
   output.format = *format;
   if ((content == Output_content::SOLIDS && !is_mesh(output.format)) ||
       (content == Output_content::PAINTED && output.format != Output_format::THREE_MF))

@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace segment_mesh {
 
@@ -50,7 +49,7 @@ struct Output
 };
 
 /// The name with this number in place of each `{segment}`.
-std::string with_segment(std::string file, const std::string& number);
+std::string with_segment(const std::string& file, const std::string& number);
 
 /// Whether `name` is `pattern` with the same number in place of each `{segment}`.
 /// \pre there is one in `pattern`
@@ -59,9 +58,6 @@ bool is_segment_file(const std::string& pattern, const std::string& name);
 /// The file of materials beside a file in .obj format, which refers to it by name: NAME.mtl beside
 /// NAME.obj or NAME.obj.gz. Empty of another format, and of what is written directly.
 std::string material_library(const Output& output);
-
-/// The formats by the words for them, in the order of `Output_format`.
-const std::vector<std::string>& output_format_names();
 
 /// Whether meshes in this format have the names of their segments.
 bool has_names(Output_format format);

@@ -9,6 +9,8 @@
 
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 
+#include <boost/algorithm/hex.hpp>
+
 #include <zip.h>
 
 #include <memory>
@@ -61,15 +63,6 @@ std::string zip_archive(const std::vector<Entry>& entries)
   return result;
 }
 
-std::string hexadecimal(const Color& color)
-{
-  std::string result = "#";
-  for (std::uint8_t channel : color)
-    for (int digit : {channel / 16, channel % 16})
-      result += "0123456789ABCDEF"[digit];
-  return result;
-}
-
 constexpr const char* xml_start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
 constexpr const char*
   model_start = "<model unit=\"millimeter\" xml:lang=\"en-US\" "
@@ -99,7 +92,8 @@ void write_model(std::ostream& out, const std::vector<Segment_triangles>& segmen
   Text_buffer text(out);
   text << xml_start << model_start << ">\n<resources>\n<basematerials id=\"1\">\n";
   for (const Segment_triangles& segment : segments)
-    text << "<base name=\"" << segment.name << "\" displaycolor=\"" << hexadecimal(segment.color)
+    text << "<base name=\"" << segment.name << "\" displaycolor=\""
+         << "#" << boost::algorithm::hex(std::string(segment.color.begin(), segment.color.end()))
          << "\"/>\n";
   text << "</basematerials>\n";
   for (std::size_t i = 0; i < segments.size(); ++i) {

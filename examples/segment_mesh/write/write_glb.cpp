@@ -2,9 +2,11 @@
 
 // Source: "glTF 2.0 Specification", The Khronos Group, 2021
 
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 #include "view/Corner_normals.h"
 #include "write/write_mesh.h"
+
+#include <boost/algorithm/hex.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -96,9 +98,7 @@ std::string to_uri(const std::string& path)
         std::string_view("/._-~").find(c) != std::string_view::npos)
       result += c;
     else
-      for (int digit :
-           {static_cast<unsigned char>(c) / 16 + 16, static_cast<unsigned char>(c) % 16})
-        result += std::string(digit < 16 ? "" : "%") + "0123456789ABCDEF"[digit % 16];
+      result += "%" + boost::algorithm::hex(std::string(1, c));
   return result;
 }
 

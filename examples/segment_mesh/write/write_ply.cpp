@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read/errors.h"
-#include "read/little_endian.h"
+#include "soup/little_endian.h"
 #include "write/write_mesh.h"
 
 #include <algorithm>

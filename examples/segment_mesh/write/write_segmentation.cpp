@@ -2,15 +2,15 @@
 
 #include "write/write_segmentation.h"
 
-#include "page/write_page.h"
+#include "page/page.h"
 #include "read/errors.h"
 #include "read/read_marks.h"
 #include "view/render_view.h"
-#include "view/write_png.h"
 #include "write/Text_buffer.h"
 #include "write/Whole_file.h"
 #include "write/write_mesh.h"
 
+#include <boost/iostreams/compose.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
@@ -102,20 +102,21 @@ void write_stream(std::ostream& out, Compression compression, const Write& write
     return;
   }
   std::string compressed;
-  boost::iostreams::filtering_ostream compressor;
-  compressor.push(boost::iostreams::gzip_compressor());
-  compressor.push(boost::iostreams::back_inserter(compressed));
+  boost::iostreams::filtering_ostream compressor(boost::iostreams::gzip_compressor() |
+                                                 boost::iostreams::back_inserter(compressed));
   write(compressor);
   compressor.reset(); // it is complete
   out.write(compressed.data(), std::streamsize(compressed.size()));
 }
 
-/// The names of the files of materials of the input, as seen from an output.
-std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
+/// The names of files of materials or images of the input, as seen from an output.
+std::vector<std::string>
+files_of_input(const Output& output, const Mesh_properties& properties,
+               std::vector<std::string> Material_library::*files = &Material_library::files)
 {
   std::vector<std::string> names;
   if (properties.library)
-    for (const std::string& name : properties.library->files)
+    for (const std::string& name : properties.library.get()->*files)
       names.push_back(one_line(relative_name(properties.library->folder, name, folder_of(output))));
   return names;
 }
@@ -135,9 +136,11 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
   std::vector<std::string> names;
-  if (output.format == Output_format::PLY || has_obj_materials(mesh.properties)) {
+  if (output.format == Output_format::PLY)
+    names = files_of_input(output, mesh.properties, &Material_library::textures);
+  else if (has_obj_materials(mesh.properties))
     names = files_of_input(output, mesh.properties);
-  } else if (const std::string library = material_library(output); !library.empty()) {
+  else if (const std::string library = material_library(output); !library.empty()) {
     check_library(library, output, result);
     materials.emplace(library);
     write_mtl(materials->stream(), mesh);

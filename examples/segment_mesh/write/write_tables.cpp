@@ -2,7 +2,7 @@
 
 // The .csv and the .json output. doc/Region_segmentation/Program.txt has their columns and members.
 
-#include "segmentation/segment_json.h"
+#include "page/page.h"
 #include "write/Text_buffer.h"
 #include "write/write_segmentation.h"
 
@@ -74,14 +74,6 @@ std::vector<double> area_shares(const Result& result)
   return shares;
 }
 
-const char* name_of(CGAL::Region_segmentation::Feature_convexity features)
-{
-  using CGAL::Region_segmentation::Feature_convexity;
-  return features == Feature_convexity::CONCAVE  ? "concave"
-         : features == Feature_convexity::CONVEX ? "convex"
-                                                 : "all";
-}
-
 ordered_json settings_json(const Result& result)
 {
   if (!result.side_files.labels.empty())
@@ -102,7 +94,7 @@ ordered_json settings_json(const Result& result)
   if (!result.side_files.seeds.empty())
     json["seeds"] = result.side_files.seeds;
   if (const auto& features = result.segmentation.features) {
-    json["features"] = name_of(features->convexity);
+    json["features"] = feature_names[std::size_t(features->convexity)];
     json["max_angle"] = features->maximum_angle;
   }
   if (settings.tolerance > 0)
@@ -153,12 +145,6 @@ void add_details(const Result& result, ordered_json& json)
     });
 }
 
-std::string text_of(const ordered_json& json)
-{
-  constexpr int on_one_line = -1;
-  return json.dump(on_one_line, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 void write_members(std::ostream& out, const ordered_json& json)
 {
   const char* separator = "{\n";
@@ -166,12 +152,12 @@ void write_members(std::ostream& out, const ordered_json& json)
     out << separator << "\"" << name << "\": ";
     separator = ",\n";
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
-      out << text_of(value);
+      out << text_of(value, Characters::UTF8);
       continue;
     }
     const char* before = "[\n";
     for (const ordered_json& element : value) {
-      out << before << text_of(element);
+      out << before << text_of(element, Characters::UTF8);
       before = ",\n";
     }
     out << "]";

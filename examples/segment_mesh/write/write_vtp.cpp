@@ -77,20 +77,14 @@ void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
   file.add("<CellData Scalars=\"segment\">");
   file.add("Int32", "segment", 1, mesh.segment_of_face,
            [](std::size_t segment) { return std::array{std::int64_t(segment)}; });
-  file.add("UInt8", "color", 3, mesh.segment_of_face, [](std::size_t segment) {
-    const Color color = segment_color(segment);
-    return std::array<int, 3>{color[0], color[1], color[2]};
-  });
+  file.add("UInt8", "color", 3, mesh.segment_of_face, segment_color);
   for (Set_kind kind : mesh.properties.kinds())
     file.add("Int32", singular(kind).c_str(), 1, mesh.properties.of(kind).set_of_face,
              [](Polygons::Index set) { return std::array{std::int64_t(set)}; });
   file.add("</CellData>");
   if (const auto colors = colors_of_points(mesh); !colors.empty()) {
     file.add("<PointData>");
-    file.add("UInt8", "point_color", 3, colors, [](const Mesh_properties::Rgb& rgb) {
-      const Color color = bytes_of(rgb);
-      return std::array<int, 3>{color[0], color[1], color[2]};
-    });
+    file.add("UInt8", "point_color", 3, colors, bytes_of);
     file.add("</PointData>");
   }
   file.add_points(mesh.soup.points);

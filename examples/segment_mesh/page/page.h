@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_DATA_H
-#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_DATA_H
+#ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_H
+#define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_H
 
 #include "segmentation/Segmentation_details.h"
 #include "segmentation/run_segmentation.h"
@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 
 namespace segment_mesh {
@@ -42,9 +43,20 @@ nlohmann::ordered_json shape_json(std::size_t node, const Segment_description& s
 /// The shapes of the segments that the slider shows first.
 nlohmann::ordered_json shapes_json(const Page_content& content);
 
-/// On one line, in ASCII.
-std::string text_of(const nlohmann::ordered_json& json);
+/// Those of a text; others are escaped.
+enum class Characters { ASCII, UTF8 };
+
+/// On one line; U+FFFD stands for what is not UTF-8.
+std::string text_of(const nlohmann::ordered_json& json, Characters characters = Characters::ASCII);
+
+/// Whether the program was built with three.js.
+bool can_write_pages();
+
+/// Writes a page of HTML that needs no other file and no network: the mesh to view and rotate,
+/// every number of segments that the merge tree has, and segments to split and to join. It needs a
+/// browser with WebGL and `DecompressionStream` (of 2023). \pre `can_write_pages()`
+void write_page(std::ostream& out, const Page_content& content);
 
 } // namespace segment_mesh
 
-#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_DATA_H
+#endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_PAGE_H

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "read/Mesh_format.h"
+#include "read/read_mesh.h"
 
 #include "read/Text_scanner.h"
 #include "read/errors.h"
-#include "read/read_mesh.h"
+
+#include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <numeric>
 
@@ -54,9 +54,7 @@ void merge_equal_points(Polygon_soup& soup)
 
 std::string ending_of(const std::string& file)
 {
-  std::string ending = fs::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string ending = boost::algorithm::to_lower_copy(fs::path(file).extension().string());
   return ending.empty() ? ending : ending.substr(1);
 }
 
@@ -116,6 +114,8 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
   Input_mesh input = read(file, bytes);
   if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
+  input.properties.colors.finish(input.soup);
+  input.properties.texture.finish(input.soup);
   if (format == Mesh_format::STL || format == Mesh_format::GLTF)
     merge_equal_points(input.soup);
   return input;
