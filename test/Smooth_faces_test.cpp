@@ -310,8 +310,9 @@ TEST(Smooth_faces_test, a_given_tolerance_is_in_units_of_the_mesh)
   bump(bar.soup, 2e-3, random);
   RS::Smooth_faces method;
   for (double scale : {1.0, 1000.0}) {
-    method.tolerance = 8e-3 * scale;
-    EXPECT_GE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.7) << scale;
+    method.tolerance = 1e-2 * scale;
+    // Which of the two smooth neighbors a triangle is on is within the noise.
+    EXPECT_EQ(number_of_labels(labels_of_soup(scaled(bar.soup, scale), method)), 10u) << scale;
     method.tolerance = 1e-7 * scale;
     EXPECT_LE(f1(bar.truth, labels_of_soup(scaled(bar.soup, scale), method)), 0.5) << scale;
   }

@@ -18,6 +18,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -288,38 +290,54 @@ Shape with_remeshed_wall(int columns, int rows)
   return shape;
 }
 
-// Vertices on curved surfaces to rounding, of a freeform part, with few digits, with noise, and
-// moved along facets.
+// The tolerance is five standard deviations: of exact, rounded, noisy coordinates, and of those of
+// an assembly, far from the origin in single precision.
 TEST(FindSurfaceFaces, Tolerance)
 {
-  const auto relative_tolerance = [](const Shape& shape) {
-    const RS::Surface surface = surface_of(shape);
-    return RS::find_surface_faces(surface).tolerance / (surface.length_unit() * surface.unit());
+  const auto deviation = [&](const Shape& shape) {
+    return RS::find_surface_faces(surface_of(shape)).tolerance / 5;
   };
-  EXPECT_NEAR(relative_tolerance(helical_tube(0.3, 12)), 1e-6, 1e-9);
   const Shape ring = helical_tube(0, 4);
-  EXPECT_NEAR(relative_tolerance(ring), 1e-6, 1e-9);
+  CGAL::Bbox_3 box;
+  for (const Point& p : ring.points)
+    box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
+  const double size = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  EXPECT_NEAR(deviation(ring), 1e-7 * size, 1e-9 * size);
   const auto moved = [&](const auto& move) {
     Shape shape = ring;
     for (Point& p : shape.points)
       p = Point{move(p.x), move(p.y), move(p.z)};
     return shape;
   };
-  const Shape rounded = moved([](double x) { return std::round(x * 1e5) / 1e5; });
-  const double size = surface_of(ring).length_unit() * surface_of(ring).unit();
-  EXPECT_NEAR(relative_tolerance(rounded) * size, 1e-5, 1e-9);
-  EXPECT_EQ(expect_faces(rounded)[0].kind, Surface_kind::TORUS);
   const unsigned seed = 5;
+  SCOPED_TRACE(seed);
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0, 2e-3);
-  const Shape noisy = moved([&](double x) { return x + noise(random); });
-  EXPECT_GT(relative_tolerance(noisy), 1e-4);
-  EXPECT_EQ(expect_faces(noisy)[0].kind, Surface_kind::TORUS);
+  std::normal_distribution<double> noise(0, 1);
+  for (const double sigma : {1e-6, 1e-5, 1e-4, 2e-3}) {
+    SCOPED_TRACE(sigma);
+    const Shape noisy = moved([&](double x) { return x + sigma * noise(random); });
+    EXPECT_GT(deviation(noisy), 0.7 * (std::max)(sigma, 1e-7 * size));
+    EXPECT_LT(deviation(noisy), 1.4 * (std::max)(sigma, 1e-7 * size));
+    EXPECT_EQ(expect_faces(noisy)[0].kind, Surface_kind::TORUS);
+  }
+  const Shape rounded = moved([](double x) { return std::round(x * 1e4) / 1e4; });
+  EXPECT_NEAR(deviation(rounded), 0.35e-4, 1e-8);
+  EXPECT_EQ(expect_faces(rounded)[0].kind, Surface_kind::TORUS);
+  const Shape far = moved([](double x) { return double(float(x + 1000)); });
+  EXPECT_NEAR(deviation(far), 0.35 * 2 * 1000 * std::numeric_limits<float>::epsilon(), 1e-6);
+  EXPECT_EQ(expect_faces(far)[0].kind, Surface_kind::TORUS);
+}
+
+// Vertices that remeshing has moved along facets are on their surface within the sagitta of these.
+TEST(FindSurfaceFaces, ToleranceOfRemeshing)
+{
   const Shape remeshed = with_remeshed_wall(40, 12);
-  EXPECT_GT(relative_tolerance(remeshed), 1e-4);
-  const std::vector<RS::Fitted_surface<>> s = expect_faces(remeshed);
-  EXPECT_EQ(s[0].kind, Surface_kind::CYLINDER);
-  EXPECT_NEAR(s[0].radius, 2, 0.02);
+  const double sagitta = 2 * (1 - std::cos(pi / 24));
+  const RS::Surface_faces found = RS::find_surface_faces(surface_of(remeshed), sagitta);
+  EXPECT_EQ(found.tolerance, sagitta);
+  EXPECT_EQ(found.partition, RS::Partition::from_labels(remeshed.faces));
+  EXPECT_EQ(found.surfaces[0].kind, Surface_kind::CYLINDER);
+  EXPECT_NEAR(found.surfaces[0].radius, 2, sagitta);
 }
 
 // Noise between the rounding of exact and of few digits, and a freeform surface of small facets:

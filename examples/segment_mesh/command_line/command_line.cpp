@@ -238,7 +238,7 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
                    "edge is a feature. Default: 1.2372.");
   segmentation.add("--tolerance", raw.options.settings.tolerance, "DISTANCE",
                    "For smooth-faces: the largest distance of a vertex from the surface of its "
-                   "face, in units of the mesh; for a scan, some times its noise. Default: 0, "
+                   "face, in units of the mesh; for a scan, five times its noise. Default: 0, "
                    "found from the mesh.");
 }
 

@@ -94,15 +94,17 @@ void annotate_surface_faces(Graph& graph, const Surface& surface, const Partitio
     graph[regions[f]].face = faces.partition[f];
     graph[regions[f]].role = faces.roles[faces.partition[f]];
   }
-  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
-    const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
-    if (regions[f] == regions[g] ||
-        !internal::meet_smoothly(surface, a, faces.surfaces[faces.partition[f]],
-                                 faces.surfaces[faces.partition[g]]))
-      continue;
-    if (const auto section = graph.section(regions[f], regions[g]))
-      graph[*section].smooth_length += surface.length(a) / surface.length_unit();
-  }
+  internal::for_each_shared_side(
+    surface, [&](Surface::Index a, Surface::Index v, Surface::Index w) {
+      const std::size_t f = surface.lower_face(a), g = surface.higher_face(a);
+      if (regions[f] == regions[g] ||
+          !internal::meet_smoothly(surface, a, 0.5 * (surface.point(v) + surface.point(w)),
+                                   faces.surfaces[faces.partition[f]],
+                                   faces.surfaces[faces.partition[g]]))
+        return;
+      if (const auto section = graph.section(regions[f], regions[g]))
+        graph[*section].smooth_length += surface.length(a) / surface.length_unit();
+    });
 }
 
 /// \ingroup PkgRegionSegmentationPolicies

@@ -3,7 +3,6 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FACE_SET_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FACE_SET_H
 
-#include <CGAL/Region_segmentation/Part_faces/internal/Face_neighbors.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
@@ -47,7 +46,6 @@ public:
     : m_surface(surface)
     , m_face_marks(surface.number_of_faces())
     , m_vertex_marks(surface.number_of_vertices())
-    , m_positions(surface.number_of_vertices())
   {}
 
   void clear()
@@ -56,6 +54,7 @@ public:
     m_points.clear();
     m_face_marks.clear();
     m_vertex_marks.clear();
+    m_area = 0;
   }
 
   /// \pre the set does not have the face
@@ -63,40 +62,24 @@ public:
   {
     m_face_marks.mark(face);
     m_faces.push_back(face);
+    m_area += m_surface.area(face);
     for (const Index v : m_surface.corners(face))
-      if (m_vertex_marks.mark(v)) {
-        m_positions[v] = Index(m_points.size());
+      if (m_vertex_marks.mark(v))
         m_points.push_back(m_surface.point(v));
-      }
-  }
-
-  /// Makes it the faces around `seed` in breadth first order, until they have `wanted` vertices:
-  /// those beside the i-th one for which `may_cross(i, neighbor)`.
-  template <typename MayCross>
-  void collect(const Face_neighbors& neighbors, Index seed, std::size_t wanted,
-               const MayCross& may_cross)
-  {
-    clear();
-    add(seed);
-    for (std::size_t next = 0; next < faces().size() && points().size() < wanted; ++next)
-      for (const Face_neighbors::Neighbor& n : neighbors[faces()[next]])
-        if (!has(n.face) && may_cross(next, n))
-          add(n.face);
   }
 
   bool has(Index face) const { return m_face_marks.has(face); }
   const std::vector<Index>& faces() const { return m_faces; }
   /// Of the vertices, each once.
   const std::vector<Double_3>& points() const { return m_points; }
-  /// The position of a vertex of the faces in `points()`.
-  Index position(Index vertex) const { return m_positions[vertex]; }
+  double area() const { return m_area; }
 
 private:
   const Surface& m_surface;
   Element_marks m_face_marks, m_vertex_marks;
-  std::vector<Index> m_positions; // by vertex
   std::vector<Index> m_faces;
   std::vector<Double_3> m_points;
+  double m_area = 0;
 };
 
 } // namespace internal

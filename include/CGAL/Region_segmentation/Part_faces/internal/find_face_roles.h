@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FIND_FACE_ROLES_H
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/Face_neighbors.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
@@ -24,17 +23,53 @@ inline Double_3 normal_at(const Fitted_surface<>& s, const Double_3& point,
   return s.kind == Surface_kind::FREEFORM ? of_facet : surface_normal(s, point);
 }
 
-/// Whether the surfaces of two faces meet smoothly at an adjacency: their normals, not those of the
-/// facets, are nearly equal.
-inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const Fitted_surface<>& s,
-                          const Fitted_surface<>& t)
+/// Calls `f(adjacency, v, w)` for the adjacencies across edges and seams, with the side from vertex
+/// v to w of their lower faces.
+template <typename F>
+void for_each_shared_side(const Surface& surface, const F& f)
+{
+  for_each_side_of_surface(
+    surface, [&](Surface::Index face, Surface::Index v, Surface::Index w, Surface::Index a) {
+      if (a != Surface::none && surface.lower_face(a) == face)
+        f(a, v, w);
+    });
+}
+
+/// Whether the surfaces of two faces meet smoothly at a point of an adjacency: their normals, not
+/// those of the facets, are nearly equal.
+inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const Double_3& point,
+                          const Fitted_surface<>& s, const Fitted_surface<>& t)
 {
   constexpr double least_cosine = 0.966; // 15 degrees
-  const std::size_t f = surface.lower_face(adjacency), g = surface.higher_face(adjacency);
-  const Double_3 middle = Shared_side(surface, f, g).middle;
-  return !surface.has_flag(adjacency, Surface::LINK) &&
-         dot(normal_at(s, middle, surface.normal(f)), normal_at(t, middle, surface.normal(g))) >
-           least_cosine;
+  return dot(normal_at(s, point, surface.normal(surface.lower_face(adjacency))),
+             normal_at(t, point, surface.normal(surface.higher_face(adjacency)))) > least_cosine;
+}
+
+/// Two faces of a part that share a side of faces of the mesh.
+struct Shared_side
+{
+  Surface::Index adjacency, faces[2];
+  Double_3 middle, along; ///< `along`: of length 1
+  bool is_smooth;         ///< their surfaces meet smoothly there
+};
+
+/// Calls `f(side)` for the sides between two faces that are not constrained.
+template <typename F>
+void for_each_border(const Surface& surface, const Partition& faces,
+                     const std::vector<Fitted_surface<>>& surfaces, const F& f)
+{
+  for_each_shared_side(surface, [&](Surface::Index a, Surface::Index v, Surface::Index w) {
+    const Surface::Index i = faces[surface.lower_face(a)], j = faces[surface.higher_face(a)];
+    if (i == j || surface.has_flag(a, Surface::CONSTRAINED))
+      return;
+    const Double_3 p = surface.point(v), d = surface.point(w) - p, middle = p + 0.5 * d;
+    const double length = norm(d);
+    f(Shared_side{a,
+                  {i, j},
+                  middle,
+                  length > 0 ? (1 / length) * d : d,
+                  meet_smoothly(surface, a, middle, surfaces[i], surfaces[j])});
+  });
 }
 
 /// How much an edge runs along the path of the ball that rolls in a blend, in [0, 1]: along the
@@ -63,13 +98,12 @@ inline std::vector<Face_role> find_blends(const Surface& surface, const Partitio
 {
   constexpr double most = 0.6;
   std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
-  for_each_border(surface, faces, [&](std::size_t a, std::size_t i, std::size_t j) {
-    const Shared_side side(surface, surface.lower_face(a), surface.higher_face(a));
-    const bool is_smooth = meet_smoothly(surface, a, surfaces[i], surfaces[j]);
-    for (const std::size_t part : {i, j}) {
-      const double length = surface.length(a) * alignment_with_rolling(surfaces[part], side);
+  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
+    for (const std::size_t part : side.faces) {
+      const double length = surface.length(side.adjacency) *
+                            alignment_with_rolling(surfaces[part], side);
       all[part] += length;
-      smooth[part] += is_smooth ? length : 0;
+      smooth[part] += side.is_smooth ? length : 0;
     }
   });
   std::vector<Face_role> roles(surfaces.size(), Face_role::NONE);
@@ -94,13 +128,12 @@ inline std::vector<Face_role> find_walls(const Surface& surface, const Partition
            (kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE);
   };
   std::vector<unsigned> ends(roles.size(), 0);
-  for_each_border(surface, faces, [&](std::size_t a, std::size_t i, std::size_t j) {
-    const bool is_concave_edge = surface.has_flag(a, Surface::CONCAVE) &&
-                                 !meet_smoothly(surface, a, surfaces[i], surfaces[j]);
-    const Double_3 along = Shared_side(surface, surface.lower_face(a), surface.higher_face(a))
-                             .along;
+  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
+    const bool is_concave_edge = surface.has_flag(side.adjacency, Surface::CONCAVE) &&
+                                 !side.is_smooth;
+    const auto [i, j] = side.faces;
     for (const auto& [part, other] : {std::pair(i, j), std::pair(j, i)})
-      if (is_wall(part) && std::fabs(dot(along, surfaces[part].direction)) < most_along_axis) {
+      if (is_wall(part) && std::fabs(dot(side.along, surfaces[part].direction)) < most_along_axis) {
         const bool is_on_blend = roles[other] == Face_role::BLEND && surfaces[other].side < 0;
         ends[part] |= is_concave_edge || is_on_blend ? foot : head;
       }
@@ -121,9 +154,9 @@ inline std::vector<Face_role> find_face_roles(const Surface& surface, const Part
   const std::vector<Face_role> walls = find_walls(surface, faces, surfaces);
   const auto bit = [](Face_role role) { return 1u << unsigned(role); };
   std::vector<unsigned> around(surfaces.size(), 0); // the bits of the roles of neighbors
-  for_each_border(surface, faces, [&](std::size_t, std::size_t i, std::size_t j) {
-    around[i] |= bit(walls[j]);
-    around[j] |= bit(walls[i]);
+  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
+    around[side.faces[0]] |= bit(walls[side.faces[1]]);
+    around[side.faces[1]] |= bit(walls[side.faces[0]]);
   });
   std::vector<Face_role> result = walls;
   for (std::size_t i = 0; i < result.size(); ++i)

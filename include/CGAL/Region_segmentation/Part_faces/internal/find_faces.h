@@ -4,160 +4,195 @@
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_FIND_FACES_H
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Face_grower.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/Face_search.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/coordinate_resolution.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Face_set.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Tessellation.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/drop_osculating_surfaces.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/find_curved_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/find_face_roles.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/find_faces_from_patches.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/find_planes.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/merge_equal_surfaces.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/surface_evidence.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/vertex_error.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The faces of a surface as it is, without deviations and extents. `tolerance`: in units of the
-/// surface
-inline Surface_faces find_faces_within(const Surface& surface, double tolerance, double resolution,
-                                       const Execution& execution)
+/// The label of the surface, of those of a face and its neighbors, from which the face deviates
+/// least.
+inline Surface::Index nearest_label(const Face_search& search, Surface::Index face)
 {
-  Face_search search(surface, tolerance, resolution);
-  find_faces_from_patches(search, execution.step(0, 0.7));
-  join_remaining_faces(search);
-  find_small_planes(search, execution.step(0.7, 0.85));
-  find_pairs_of_planes(search, execution.step(0.85, 0.9));
-  while (search.is_exact && drop_uncertain_surfaces(search)) {
-  }
-  compete_at_borders(search);
-  merge_equal_surfaces(search);
-  separate_components(search, execution.step(0.9, 1));
-
-  Surface_faces result;
-  result.partition = Partition::from_labels(search.labels);
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    if (result.partition[f] == result.surfaces.size()) // parts are numbered by their first faces
-      result.surfaces.push_back(search.surface_of(f));
-  result.roles = find_face_roles(surface, result.partition, result.surfaces);
-  result.tolerance = search.test.tolerance();
-  return result;
-}
-
-/// The areas of faces on planes, on other surfaces, and of freeform ones.
-struct Areas_of_kinds
-{
-  double plane = 0, curved = 0, freeform = 0;
-
-  Areas_of_kinds(const Surface& surface, const Surface_faces& faces)
-  {
-    for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      const Surface_kind kind = faces.surfaces[faces.partition[f]].kind;
-      (kind == Surface_kind::PLANE      ? plane
-       : kind == Surface_kind::FREEFORM ? freeform
-                                        : curved) += surface.area(f);
+  using Index = Surface::Index;
+  const Tessellation& mesh = search.mesh;
+  const Index own = search.labels[face];
+  const auto deviation = [&](Index label) {
+    return deviation_of_face(search.surface, search.surfaces[label], face);
+  };
+  Index best = own;
+  double least = std::numeric_limits<double>::infinity();
+  bool is_inside = true;
+  for_each_neighbor(search.surface, face,
+                    [&](Index g, Index, Index) { is_inside &= search.labels[g] == own; });
+  if (is_inside)
+    return own;
+  if (own != Face_search::none && has_vertices_on(mesh, search.surfaces[own], face))
+    least = deviation(own);
+  for_each_neighbor(search.surface, face, [&](Index g, Index, Index) {
+    const Index label = search.labels[g];
+    if (label == Face_search::none || label == own || label == best ||
+        !has_vertices_on(mesh, search.surfaces[label], face) ||
+        !has_normal_of(mesh, search.surfaces[label], face))
+      return;
+    if (const double d = deviation(label); d < 0.9 * least - 0.1 * mesh.sigma) {
+      least = d;
+      best = label;
     }
-  }
-
-  /// Of what is not plane; 1 if there is nothing else.
-  double share_of_curved() const { return freeform > 0 ? curved / (curved + freeform) : 1; }
-  double share_of_freeform() const { return freeform / (plane + curved + freeform); }
-};
-
-/// The share of the edges of faces on curved surfaces of which the ends are on opposite sides of
-/// the surface, 1 if there is none: about half of them where vertices deviate by chance, few where
-/// the mesh is of another smooth surface.
-inline double share_of_opposite_sides(const Surface& surface, const Surface_faces& faces)
-{
-  double opposite = 0, all = 0;
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    const Fitted_surface<>& s = faces.surfaces[faces.partition[f]];
-    if (s.kind == Surface_kind::PLANE || s.kind == Surface_kind::FREEFORM)
-      continue;
-    const Surface_distance distance(s);
-    const std::size_t n = surface.number_of_corners(f);
-    for (std::size_t i = 0; i < n; ++i)
-      opposite += distance(surface.point(surface.corner(f, i))) *
-                    distance(surface.point(surface.corner(f, (i + 1) % n))) <
-                  0;
-    all += double(n);
-  }
-  return all > 0 ? opposite / all : 1;
-}
-
-/// Faces of a surface, and how long its description by them is.
-struct Described_faces
-{
-  Surface_faces faces;
-  double length = std::numeric_limits<double>::infinity();
-};
-
-/// Those for that tolerance above rounding with which their description is shortest. `of_exact`:
-/// the length of that for rounding
-inline Described_faces find_inexact_faces(const Surface& surface, double rounding, double of_exact,
-                                          const Execution& execution)
-{
-  constexpr int tolerances = 7;
-  constexpr double largest = 6400, // times rounding
-    too_long = 1.8;
-  Described_faces best;
-  for (int i = 0; i < tolerances; ++i) {
-    Surface_faces faces = find_faces_within(
-      surface, std::ldexp(largest * rounding, -i), 0,
-      execution.step(double(i) / tolerances, double(i + 1) / tolerances));
-    const double length = description_length(surface, faces, rounding);
-    // Where vertices are not noisy, or below the noise, most patches fail, which takes time.
-    const bool is_in_vain = Areas_of_kinds(surface, faces).share_of_freeform() > 0.5 ||
-                            length > too_long * (std::min)(best.length, of_exact);
-    if (length <= best.length)
-      best = {std::move(faces), length};
-    if (is_in_vain)
-      break;
-  }
+  });
   return best;
 }
 
-/// Whether vertices deviate from `inexact` faces by chance, rather than that a freeform part is
-/// covered by them: the description is shorter, and either about half of the edges have ends on
-/// opposite sides, or, as where vertices were moved along facets, some do, and there are hardly
-/// more faces.
-inline bool is_noise(const Surface& surface, const Described_faces& exact,
-                     const Described_faces& inexact)
+/// Faces at borders go to the neighboring surface from which they deviate least.
+inline void compete_at_borders(Face_search& search)
 {
-  constexpr double half = 0.45, some = 0.1, hardly_more = 1.6;
-  const double opposite = share_of_opposite_sides(surface, inexact.faces);
-  return inexact.length < exact.length &&
-         (opposite >= half ||
-          (opposite >= some && double(inexact.faces.surfaces.size()) <=
-                                 hardly_more * double(exact.faces.surfaces.size())));
+  constexpr int rounds = 4;
+  bool is_changed = true;
+  for (int round = 0; round < rounds && is_changed; ++round) {
+    is_changed = false;
+    for (Surface::Index f = 0; f < search.labels.size(); ++f) {
+      const Surface::Index best = nearest_label(search, f);
+      is_changed = is_changed || best != search.labels[f];
+      search.labels[f] = best;
+    }
+  }
 }
 
-/// The faces of a surface as it is. `tolerance`: in units of the surface; 0: that which its
-/// vertices ask for.
+/// Gives faces without normals beside faces of other labels alone that of those on whose surface
+/// their vertices lie best.
+inline void label_thin_faces(Face_search& search)
+{
+  using Index = Surface::Index;
+  constexpr int rounds = 8;
+  bool is_changed = true;
+  for (int round = 0; round < rounds && is_changed; ++round) {
+    is_changed = false;
+    for (Index f = 0; f < search.labels.size(); ++f) {
+      if (search.mesh.has_normal(f))
+        continue;
+      bool is_alone = true;
+      double least = std::numeric_limits<double>::infinity();
+      Index best = search.labels[f];
+      for_each_neighbor(search.surface, f, [&](Index g, Index, Index) {
+        const Index label = search.labels[g];
+        is_alone = is_alone && !(search.is_found(f) && label == search.labels[f]);
+        if (label == Face_search::none)
+          return;
+        const Surface_distance distance(search.surfaces[label]);
+        double largest = 0;
+        for (const Index v : search.surface.corners(f))
+          largest = (std::max)(largest, std::fabs(distance(search.surface.point(v))));
+        if (largest < least - 0.1 * search.mesh.sigma) {
+          least = largest;
+          best = label;
+        }
+      });
+      if (is_alone && best != search.labels[f]) {
+        search.labels[f] = best;
+        is_changed = true;
+      }
+    }
+  }
+}
+
+/// Makes each connected component of a label a face of its own, and those of what was not found
+/// freeform faces, which end where the mesh does not go on smoothly.
+inline void separate_components(Face_search& search, const Execution& execution)
+{
+  const Surface& surface = search.surface;
+  const Partition components = label_components(
+    surface,
+    [&](std::size_t a) {
+      const Surface::Index f = surface.lower_face(a), g = surface.higher_face(a),
+                           label = search.labels[f];
+      return label == search.labels[g] && !surface.has_flag(a, Surface::barrier) &&
+             (label != Face_search::none || search.mesh.is_smooth(f, g));
+    },
+    execution);
+  std::vector<Fitted_surface<>> surfaces(components.number_of_parts());
+  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    if (search.is_found(f))
+      surfaces[components[f]] = search.surfaces[search.labels[f]];
+  search.labels.assign(components.begin(), components.end());
+  search.surfaces = std::move(surfaces);
+}
+
+/// The label of each face of the mesh, see `find_surface_faces()`.
+inline void find_labels(Face_search& search, const Execution& execution)
+{
+  find_curved_faces(search, execution.step(0, 0.8));
+  Equal_surfaces(search).merge();
+  drop_osculating_surfaces(search);
+  join_rests_of_facets(search);
+  add_planes(search);
+  compete_at_borders(search);
+  label_thin_faces(search);
+  Equal_surfaces(search).merge();
+  separate_components(search, execution.step(0.8, 1));
+}
+
+/// Fits the surface of each face of the part to all its vertices. Faces of the mesh that are not on
+/// it, as those that cross a crease, do not count.
+inline void fit_surfaces(const Tessellation& mesh, Surface_faces& faces)
+{
+  const Grouped_items<Surface::Index> by_part(faces.surfaces.size(), [&](const auto& add) {
+    for (Surface::Index f = 0; f < faces.partition.size(); ++f)
+      add(faces.partition[f], f);
+  });
+  Face_set members(mesh.surface);
+  for (std::size_t part = 0; part < faces.surfaces.size(); ++part) {
+    Fitted_surface<>& s = faces.surfaces[part];
+    if (s.kind == Surface_kind::FREEFORM)
+      continue;
+    members.clear();
+    for (const Surface::Index f : by_part[part])
+      if (has_vertices_on(mesh, s, f))
+        members.add(f);
+    const std::vector<Double_3> sample = evenly_spread(members.points(), most_fitted_points);
+    Fitted_surface<> fitted = s;
+    if (int(sample.size()) > degrees_of_freedom(s.kind) &&
+        std::isfinite(Surface_fitter(sample, 0)(fitted, 8)) &&
+        largest_distance(fitted, members.points()) <= mesh.tolerance())
+      s = fitted;
+    measure(s, members.points());
+  }
+}
+
+/// See `find_surface_faces()`. `tolerance`: in units of the surface
 inline Surface_faces find_faces(const Surface& surface, double tolerance,
                                 const Execution& execution)
 {
-  constexpr double little = 0.05;
-  const double resolution = coordinate_resolution(surface), rounding = 1e-6 * surface.length_unit(),
-               exact = (std::max)(rounding, resolution);
-  if (tolerance > 0)
-    return find_faces_within(surface, tolerance, resolution, execution);
-  Described_faces found{find_faces_within(surface, exact, resolution, execution.step(0, 0.4))};
-  found.length = description_length(surface, found.faces, rounding);
-  const bool is_freeform = Areas_of_kinds(surface, found.faces).share_of_curved() <= little;
-  if (is_freeform || resolution > 10 * rounding) { // or facets may be as small as steps
-    Described_faces inexact = find_inexact_faces(surface, rounding, found.length,
-                                                 execution.step(0.4, 1));
-    const bool are_few = 2 * inexact.faces.surfaces.size() < found.faces.surfaces.size();
-    if (is_noise(surface, found, inexact) && (is_freeform || are_few))
-      found = std::move(inexact);
-  }
-  execution.report(1);
-  return std::move(found.faces);
+  const Tessellation mesh(surface, tolerance > 0 ? tolerance / Tessellation::interval
+                                                 : vertex_error(surface));
+  Face_search search(mesh);
+  find_labels(search, execution);
+  Surface_faces result;
+  result.partition = Partition::from_labels(search.labels);
+  result.surfaces = std::move(search.surfaces);
+  result.tolerance = mesh.tolerance();
+  fit_surfaces(mesh, result);
+  result.roles = find_face_roles(surface, result.partition, result.surfaces);
+  return result;
 }
 
 } // namespace internal

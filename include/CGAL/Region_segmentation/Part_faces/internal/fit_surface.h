@@ -37,36 +37,80 @@ inline std::array<Double_3, 3> eigenvectors(const Symmetric_3& m)
           Double_3{v(0, 2), v(1, 2), v(2, 2)}};
 }
 
-/// Solves a x = b by the decomposition a = l d l^T, without pivoting; only the lower triangle of
-/// `a` is read. Unknowns that those before them determine are 0. Eigen's decompositions sum in
-/// the order of the vector unit, and fuse products and sums where it can: their last bits, and
-/// through them faces, would depend on the processor.
-template <typename Matrix, typename Vector>
-Vector solve_positive_definite(Matrix a, Vector b)
+/// The decomposition a = l d l^T of a symmetric matrix, without pivoting; only the lower triangle
+/// is read. Unknowns that those before them determine are 0. Eigen's decompositions sum in the
+/// order of the vector unit, and fuse products and sums where it can: their last bits, and through
+/// them faces, would depend on the processor.
+template <typename Matrix>
+class Positive_definite
 {
-  constexpr double rounding = 1e-13;
-  const int n = int(b.size());
-  const Vector diagonal = a.diagonal();
-  const auto quotient = [&](double x, int j) {
-    return a(j, j) > rounding * diagonal[j] ? x / a(j, j) : 0;
-  };
-  for (int j = 0; j < n; ++j) // below the diagonal l, on it d
-    for (int i = j; i < n; ++i) {
-      for (int k = 0; k < j; ++k)
-        a(i, j) -= a(i, k) * a(j, k) * a(k, k);
-      if (i > j)
-        a(i, j) = quotient(a(i, j), j);
-    }
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < i; ++k)
-      b[i] -= a(i, k) * b[k];
-  for (int i = n - 1; i >= 0; --i) {
-    b[i] = quotient(b[i], i);
-    for (int k = i + 1; k < n; ++k)
-      b[i] -= a(k, i) * b[k];
+public:
+  explicit Positive_definite(const Matrix& a)
+    : m_factors(a)
+  {
+    constexpr double rounding = 1e-13;
+    const int n = int(a.rows());
+    for (int j = 0; j < n; ++j) // below the diagonal l, on it 1 / d
+      for (int i = j; i < n; ++i) {
+        double& x = m_factors(i, j);
+        for (int k = 0; k < j; ++k)
+          x -= m_factors(i, k) * m_factors(j, k) * m_pivots[k];
+        if (i == j) {
+          m_pivots[j] = x > rounding * a(j, j) ? x : 0;
+          x = m_pivots[j] > 0 ? 1 / x : 0;
+        } else
+          x *= m_factors(j, j);
+      }
   }
-  return b;
+
+  /// The solution x of a x = b.
+  template <typename Vector>
+  Vector solve(Vector b) const
+  {
+    const int n = int(b.size());
+    forward(b);
+    for (int i = n - 1; i >= 0; --i) {
+      b[i] *= m_factors(i, i);
+      for (int k = i + 1; k < n; ++k)
+        b[i] -= m_factors(k, i) * b[k];
+    }
+    return b;
+  }
+
+  /// b^T a^-1 b.
+  template <typename Vector>
+  double inverse_form(Vector b) const
+  {
+    forward(b);
+    double sum = 0;
+    for (int i = 0; i < int(b.size()); ++i)
+      sum += b[i] * b[i] * m_factors(i, i);
+    return sum;
+  }
+
+private:
+  template <typename Vector>
+  void forward(Vector& b) const
+  {
+    for (int i = 0; i < int(b.size()); ++i)
+      for (int k = 0; k < i; ++k)
+        b[i] -= m_factors(i, k) * b[k];
+  }
+
+  Matrix m_factors;
+  std::array<double, std::size_t(Matrix::RowsAtCompileTime)> m_pivots{};
+};
+
+/// Solves a x = b, see `Positive_definite`.
+template <typename Matrix, typename Vector>
+Vector solve_positive_definite(const Matrix& a, const Vector& b)
+{
+  return Positive_definite<Matrix>(a).solve(b);
 }
+
+inline constexpr Surface_kind kinds_of_surfaces[] = {Surface_kind::PLANE, Surface_kind::CYLINDER,
+                                                     Surface_kind::CONE, Surface_kind::SPHERE,
+                                                     Surface_kind::TORUS};
 
 /// The number of parameters of a surface.
 inline int degrees_of_freedom(Surface_kind kind)
@@ -102,10 +146,54 @@ inline void move_along_axis(Fitted_surface<>& s, const Double_3& p)
   s.radius += s.kind == Surface_kind::CONE ? z * std::tan(s.angle) : 0;
 }
 
+using Surface_vector = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
+using Surface_matrix = Eigen::Matrix<double, 7, 7, Eigen::DontAlign>;
+
+/// The distance of a point to a surface, and its derivatives by what a fit changes. One
+/// parametrization serves all kinds: 3 numbers move the point, 2 tilt the axis, 2 change the shape;
+/// the derivatives by those that a kind does not have are 0. It refers to the surface.
+class Surface_derivatives
+{
+public:
+  explicit Surface_derivatives(const Fitted_surface<>& s)
+    : m_surface(s)
+    , m_distance(s)
+    , m_e1(any_perpendicular(s.direction))
+    , m_e2(cross(s.direction, m_e1))
+    , m_slides(s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER)
+  {}
+
+  double operator()(const Double_3& p, Surface_vector& row) const
+  {
+    const Meridian_point m = meridian_point(m_surface, p);
+    const Profile f = m_distance.profile(m.r, m.z);
+    const double x = dot(m.outward, m_e1), y = dot(m.outward, m_e2),
+                 tilt = f.by_z * m.r - f.by_r * m.z;
+    row << -f.by_r * x, -f.by_r * y, m_slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius,
+      f.by_second;
+    return f.value;
+  }
+
+  Fitted_surface<> moved(const Surface_vector& d) const
+  {
+    Fitted_surface<> result = m_surface;
+    result.point = m_surface.point + d[0] * m_e1 + d[1] * m_e2 + d[2] * m_surface.direction;
+    const Double_3 a = m_surface.direction + d[3] * m_e1 + d[4] * m_e2;
+    result.direction = (1 / norm(a)) * a;
+    result.radius = m_surface.radius + d[5];
+    (m_surface.kind == Surface_kind::CONE ? result.angle : result.minor_radius) += d[6];
+    return result;
+  }
+
+private:
+  const Fitted_surface<>& m_surface;
+  Surface_distance m_distance;
+  Double_3 m_e1, m_e2;
+  bool m_slides;
+};
+
 /// Fits a surface to points: Levenberg and Marquardt's method for the sum of squared distances,
-/// from the initial values in the surface. One parametrization serves all kinds: 3 numbers move the
-/// point, 2 tilt the axis, 2 change the shape; those that a kind does not have get zero derivatives
-/// and are left.
+/// from the initial values in the surface.
 class Surface_fitter
 {
 public:
@@ -134,7 +222,7 @@ public:
     double damping = 1e-3;
     int slow = 0;
     for (int i = 0; i < iterations && rms(best) > m_stop && slow < slow_iterations; ++i) {
-      const Fitted_surface<> next = moved(s, step(best, damping));
+      const Fitted_surface<> next = Surface_derivatives(s).moved(step(best, damping));
       const Normal_equations e = equations(next);
       if (e.cost < best.cost) {
         slow = e.cost > 0.8 * best.cost ? slow + 1 : 0;
@@ -149,6 +237,9 @@ public:
     return normalized(s) ? rms(best) : std::numeric_limits<double>::infinity();
   }
 
+  /// The sum of the products of the derivatives.
+  Surface_matrix information(const Fitted_surface<>& s) const { return equations(s).a; }
+
   double root_mean_square(const Fitted_surface<>& s) const
   {
     const Surface_distance distance(s);
@@ -161,13 +252,10 @@ public:
   }
 
 private:
-  using Vector = Eigen::Matrix<double, 7, 1, Eigen::DontAlign>;
-  using Matrix = Eigen::Matrix<double, 7, 7, Eigen::DontAlign>;
-
   struct Normal_equations
   {
-    Matrix a = Matrix::Zero();
-    Vector b = Vector::Zero();
+    Surface_matrix a = Surface_matrix::Zero();
+    Surface_vector b = Surface_vector::Zero();
     double cost = 0;
   };
 
@@ -187,47 +275,27 @@ private:
 
   Normal_equations equations(const Fitted_surface<>& s) const
   {
-    const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
-    const bool slides = s.kind == Surface_kind::CONE || s.kind == Surface_kind::CYLINDER;
-    const Surface_distance distance(s);
+    const Surface_derivatives derivatives(s);
     Normal_equations result;
+    Surface_vector row;
     for (std::size_t k = 0; k < m_points.size(); ++k) {
-      const Meridian_point m = meridian_point(s, m_points[k]);
-      const Profile f = distance.profile(m.r, m.z);
-      const double x = dot(m.outward, e1), y = dot(m.outward, e2),
-                   tilt = f.by_z * m.r - f.by_r * m.z;
-      Vector row;
-      row << -f.by_r * x, -f.by_r * y, slides ? 0 : -f.by_z, tilt * x, tilt * y, f.by_radius,
-        f.by_second;
-      const double w = weight(k);
+      const double distance = derivatives(m_points[k], row), w = weight(k);
       for (int i = 0; i < 7; ++i) {
-        result.b[i] += w * row[i] * f.value;
+        result.b[i] += w * row[i] * distance;
         for (int j = 0; j <= i; ++j)
           result.a(i, j) += w * row[i] * row[j];
       }
-      result.cost += w * f.value * f.value;
+      result.cost += w * distance * distance;
     }
     return result;
   }
 
-  Vector step(const Normal_equations& e, double damping) const
+  Surface_vector step(const Normal_equations& e, double damping) const
   {
-    Matrix a = e.a;
+    Surface_matrix a = e.a;
     for (int i = 0; i < 7; ++i)
       a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
-    return solve_positive_definite(a, Vector(-e.b));
-  }
-
-  static Fitted_surface<> moved(const Fitted_surface<>& s, const Vector& d)
-  {
-    const Double_3 e1 = any_perpendicular(s.direction), e2 = cross(s.direction, e1);
-    Fitted_surface<> result = s;
-    result.point = s.point + d[0] * e1 + d[1] * e2 + d[2] * s.direction;
-    const Double_3 a = s.direction + d[3] * e1 + d[4] * e2;
-    result.direction = (1 / norm(a)) * a;
-    result.radius = s.radius + d[5];
-    (s.kind == Surface_kind::CONE ? result.angle : result.minor_radius) += d[6];
-    return result;
+    return solve_positive_definite(a, Surface_vector(-e.b));
   }
 
   /// Brings the parameters into their ranges. Returns whether the surface is one.
@@ -253,6 +321,9 @@ private:
   double m_size = 0, m_weight = 0;
 };
 
+/// Of a large face, so many points are fitted.
+inline constexpr std::size_t most_fitted_points = 300;
+
 /// At most so many of several points, or of what belongs to them, at multiples of the golden ratio:
 /// in the order of vertices, every second or third one may lie on one circle.
 template <typename T>
@@ -269,19 +340,34 @@ std::vector<T> evenly_spread(const std::vector<T>& points, std::size_t most)
   return result;
 }
 
-/// Fits a surface to some of the points, from the values that it has. They stay if those found are
-/// not within the tolerance.
-/// \param stop see `Surface_fitter`
-inline void refine_surface(Fitted_surface<>& s, const std::vector<Double_3>& points,
-                           double tolerance, double stop)
+/// Whether points are on a surface: within the prediction interval of its fit, which widens away
+/// from the points that were fitted. It refers to the surface.
+class Surface_prediction
 {
-  const std::vector<Double_3> sample = evenly_spread(points, 300);
-  if (int(sample.size()) < degrees_of_freedom(s.kind))
-    return;
-  Fitted_surface<> better = s;
-  if (Surface_fitter(sample, stop)(better, 8) <= tolerance)
-    s = better;
-}
+public:
+  /// \param half_width of the interval at points that determine the surface well
+  Surface_prediction(const Fitted_surface<>& s, const Surface_fitter& fitter, double half_width)
+    : m_derivatives(s)
+    , m_information(fitter.information(s))
+    , m_half_width(half_width)
+  {}
+
+  bool operator()(const Double_3& p) const
+  {
+    constexpr double most_leverage = 30;
+    Surface_vector row;
+    const double distance = std::fabs(m_derivatives(p, row));
+    if (!(distance > m_half_width))
+      return true;
+    const double leverage = (std::min)(m_information.inverse_form(row), most_leverage);
+    return distance <= m_half_width * std::sqrt(1 + leverage);
+  }
+
+private:
+  Surface_derivatives m_derivatives;
+  Positive_definite<Surface_matrix> m_information;
+  double m_half_width;
+};
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -4,10 +4,8 @@
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_INITIAL_SURFACES_H
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/Face_neighbors.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/Face_set.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
-#include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
 
 #include <Eigen/Dense>
 
@@ -169,43 +167,6 @@ struct Axis_line
 {
   Double_3 point, direction;
 };
-
-/// The normals at the vertices of faces, of length 1, by position: the mean of those of the faces
-/// around, if no crease is between, with the weights by which it is that of a sphere through the
-/// vertices, area over the squared lengths of both edges (Max, "Weights for computing vertex
-/// normals from facet normals", Journal of Graphics Tools 4(2), 1999).
-inline std::vector<Double_3> vertex_normals(const Surface& surface, const Face_neighbors& neighbors,
-                                            const Face_set& faces)
-{
-  using Index = Surface::Index;
-  constexpr std::size_t most = 64; // corners and faces around a vertex: so the time is linear
-  const auto weight = [&](Index f, Index v) {
-    const std::size_t n = surface.number_of_corners(f);
-    std::size_t i = 0;
-    while (i < most && surface.corner(f, i) != v)
-      i = i + 1 < n ? i + 1 : most;
-    if (i == most)
-      return 0.0;
-    const auto squared = [&](std::size_t j) {
-      return squared_norm(surface.point(surface.corner(f, j % n)) - surface.point(v));
-    };
-    const double w = surface.area(f) / (squared(i + 1) * squared(i + n - 1));
-    return std::isfinite(w) ? w : 0;
-  };
-  std::vector<Double_3> result(faces.points().size(), Double_3{0, 0, 0});
-  for (const Index f : faces.faces())
-    for (const Index v : surface.corners(f)) {
-      Double_3& normal = result[faces.position(v)];
-      if (squared_norm(normal) > 0)
-        continue;
-      const auto around = neighbors.around(v);
-      for (std::size_t i = 0; i < (std::min)(most, around.size()); ++i)
-        if (const Index g = around.begin()[i]; neighbors.are_smooth(f, g))
-          normal = normal + weight(g, v) * surface.normal(g);
-      normal = norm(normal) > 0 ? (1 / norm(normal)) * normal : surface.normal(f);
-    }
-  return result;
-}
 
 /// The line that is nearest to meeting the normals at points: the linear complex of lines with the
 /// least sum of squares, without its pitch (Pottmann and Randrup, "Rotational and helical surface

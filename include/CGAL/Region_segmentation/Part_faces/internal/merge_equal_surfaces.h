@@ -3,14 +3,16 @@
 #ifndef CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_MERGE_EQUAL_SURFACES_H
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_MERGE_EQUAL_SURFACES_H
 
+#include <CGAL/Region_segmentation/Part_faces/internal/Face_grower.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/Face_search.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/find_faces_from_patches.h>
-#include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Face_set.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Tessellation.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -23,110 +25,113 @@ namespace internal {
 inline std::vector<std::pair<Surface::Index, Surface::Index>>
 smooth_neighbors(const Face_search& search)
 {
-  std::vector<std::pair<Surface::Index, Surface::Index>> pairs;
-  for_each_border(
-    search.surface, search.labels, [&](std::size_t a, Surface::Index i, Surface::Index j) {
-      if (i != Face_search::none && j != Face_search::none && search.neighbors.is_smooth(a))
-        pairs.push_back({(std::min)(i, j), (std::max)(i, j)});
+  using Index = Surface::Index;
+  std::vector<std::pair<Index, Index>> pairs;
+  for (Index f = 0; f < search.labels.size(); ++f)
+    for_each_neighbor(search.surface, f, [&](Index g, Index, Index) {
+      const Index i = search.labels[f], j = search.labels[g];
+      if (i != Face_search::none && j != Face_search::none && i < j && search.mesh.is_smooth(f, g))
+        pairs.push_back({i, j});
     });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
-/// Merges neighbors of which one's surface is also that of the other. The faces of the smaller one
-/// are tested first, and tests end at the first that fails.
-inline void merge_equal_surfaces(Face_search& search)
+/// Merges neighbors of which all vertices are on one surface: that of the larger one, or one that
+/// is fitted to both.
+class Equal_surfaces
 {
+public:
   using Index = Surface::Index;
-  constexpr double tolerance_of_tori = 30; // those that are nearly equal osculate one fillet along
-                                           // a line that is nearly an arc
-  const Face_test test_of_tori(search.surface, search.neighbors,
-                               tolerance_of_tori * search.test.tolerance());
-  std::vector<std::vector<Index>> faces(search.surfaces.size());
-  for (Index f = 0; f < search.labels.size(); ++f)
-    if (search.is_found(f))
-      faces[search.labels[f]].push_back(f);
-  std::vector<Index> now(search.surfaces.size()); // the labels that labels become
-  std::iota(now.begin(), now.end(), Index(0));
-  const auto current = [&](Index i) { return root_in_forest(now, i); };
-  for (const auto& pair : smooth_neighbors(search)) {
-    Index i = current(pair.first), j = current(pair.second);
-    const Surface_kind kinds[] = {search.surfaces[i].kind, search.surfaces[j].kind};
-    if (i == j)
-      continue;
-    if (degrees_of_freedom(kinds[1]) < degrees_of_freedom(kinds[0]))
-      std::swap(i, j);
-    const bool are_tori = kinds[0] == Surface_kind::TORUS && kinds[1] == Surface_kind::TORUS;
-    const Face_test& test = are_tori ? test_of_tori : search.test;
-    const auto has_all = [&](Index of, Index others) {
-      return std::all_of(faces[others].begin(), faces[others].end(), [&](Index f) {
-        return test(search.surfaces[of], f) && !search.is_flat(of, f);
-      });
-    };
-    if (!has_all(i, j)) {
-      std::swap(i, j);
-      if (!has_all(i, j))
+
+  explicit Equal_surfaces(Face_search& search)
+    : m_search(search)
+    , m_mesh(search.mesh)
+    , m_faces(search.surfaces.size())
+    , m_now(search.surfaces.size())
+    , m_points(search.surface)
+  {
+    std::iota(m_now.begin(), m_now.end(), Index(0));
+    for (Index f = 0; f < search.labels.size(); ++f)
+      if (search.is_found(f))
+        m_faces[search.labels[f]].push_back(f);
+  }
+
+  void merge()
+  {
+    for (const auto& pair : smooth_neighbors(m_search)) {
+      Index i = root_in_forest(m_now, pair.first), j = root_in_forest(m_now, pair.second);
+      if (i == j)
         continue;
+      if (m_faces[i].size() < m_faces[j].size())
+        std::swap(i, j);
+      if (can_merge(i, j)) {
+        m_now[j] = i;
+        m_faces[i].insert(m_faces[i].end(), m_faces[j].begin(), m_faces[j].end());
+        m_faces[j].clear();
+      }
     }
-    now[j] = i;
-    if (faces[i].size() < faces[j].size())
-      faces[i].swap(faces[j]);
-    faces[i].insert(faces[i].end(), faces[j].begin(), faces[j].end());
-    faces[j].clear();
+    for (Index& label : m_search.labels)
+      if (label != Face_search::none)
+        label = root_in_forest(m_now, label);
   }
-  for (Index& label : search.labels)
-    if (label != Face_search::none)
-      label = current(label);
-}
 
-/// Finds plane faces of few vertices: those whose border is mostly not smooth, or meets faces that
-/// are found.
-inline void find_small_planes(Face_search& search, const Execution& execution)
-{
-  constexpr std::size_t few_points = 8;
-  search.clear_tried();
-  const std::vector<Surface::Index> seeds = search.seeds();
-  Step_counter progress(execution, seeds.size());
-  for (const Surface::Index seed : seeds) {
-    progress.advance();
-    if (search.is_found(seed) || search.is_tried[seed])
-      continue;
-    Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, search.surface.centroid(seed),
-                                         search.surface.normal(seed));
-    search.grower.grow(s, {seed}, [&](Surface::Index f) { return !search.is_found(f); });
-    const std::vector<Surface::Index>& faces = search.grower.faces();
-    if (share_of_smooth_border(search) < (search.grower.points().size() < few_points ? 0.1 : 0.5)) {
-      search.add(s, faces);
-      find_whole_beside(search, std::vector<Surface::Index>(faces));
-    } else
-      for (const Surface::Index f : faces)
-        search.is_tried[f] = 1;
-  }
-}
-
-/// Two facets do not make a curved face: what is left of a component of at most two is planes.
-inline void find_pairs_of_planes(Face_search& search, const Execution& execution)
-{
-  using Index = Surface::Index;
-  const Surface& surface = search.surface;
-  const Partition components = smooth_components_left(search, execution);
-  std::vector<Index> largest; // of each facet, the face that is left
-  std::vector<std::uint8_t> is_counted(surface.number_of_faces(), 0); // by facet
-  for (const Index f : search.seeds())
-    if (!std::exchange(is_counted[search.neighbors.facet(f)], std::uint8_t(1)))
-      largest.push_back(f);
-  std::vector<std::size_t> number(components.number_of_parts(), 0); // of facets
-  for (const Index f : largest)
-    ++number[components[f]];
-  for (const Index f : largest)
-    if (!search.is_found(f) && number[components[f]] <= 2) {
-      Fitted_surface<> s = surface_of_kind(Surface_kind::PLANE, surface.centroid(f),
-                                           surface.normal(f));
-      search.grower.grow(s, {f}, [&](Index g) { return !search.is_found(g); });
-      search.add(s, search.grower.faces());
+private:
+  /// Whether the faces of label j lie on a surface of the kind of label i with those of i, which
+  /// then is the surface of i.
+  bool can_merge(Index i, Index j)
+  {
+    constexpr std::size_t many_vertices = 6;
+    const Surface_kind kind = m_search.surfaces[i].kind, other = m_search.surfaces[j].kind;
+    if (kind == Surface_kind::PLANE && other != Surface_kind::PLANE)
+      return false;
+    if (other == Surface_kind::PLANE && kind != Surface_kind::PLANE &&
+        m_mesh.facet(m_mesh.facet_of(m_faces[j][0])).number_of_vertices >= many_vertices)
+      return false;
+    Fitted_surface<> s = m_search.surfaces[i];
+    if (!has_all(s, j)) {
+      m_points.clear();
+      for (const Index label : {i, j})
+        for (const Index f : m_faces[label])
+          m_points.add(f);
+      const std::vector<Double_3> sample = evenly_spread(m_points.points(), most_fitted_points);
+      if (!std::isfinite(Surface_fitter(sample, m_mesh.good_fit())(s, 8)) || !has_all(s, i) ||
+          !has_all(s, j))
+        return false;
     }
-}
+    if (is_flat_beside(s, i, j))
+      return false;
+    m_search.surfaces[i] = s;
+    return true;
+  }
+
+  bool has_all(const Fitted_surface<>& s, Index label) const
+  {
+    return std::all_of(m_faces[label].begin(), m_faces[label].end(), [&](Index f) {
+      return has_vertices_on(m_mesh, s, f) && has_normal_of(m_mesh, s, f);
+    });
+  }
+
+  /// Whether a facet of label j deviates much more from a surface than those of label i.
+  bool is_flat_beside(const Fitted_surface<>& s, Index i, Index j) const
+  {
+    constexpr double much = 1.5;
+    const auto largest = [&](Index label) {
+      double result = 0;
+      for (const Index f : m_faces[label])
+        result = (std::max)(result, deviation_of_facet(m_mesh, s, f));
+      return result;
+    };
+    return largest(j) > (std::max)(much * largest(i), m_mesh.tolerance());
+  }
+
+  Face_search& m_search;
+  const Tessellation& m_mesh;
+  std::vector<std::vector<Index>> m_faces; // by label
+  std::vector<Index> m_now;                // the labels that labels become
+  Face_set m_points;
+};
 
 } // namespace internal
 } // namespace Region_segmentation

@@ -5,7 +5,7 @@
 
 #include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/Face_grower.h>
-#include <CGAL/Region_segmentation/Part_faces/internal/Face_neighbors.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Tessellation.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
@@ -21,50 +21,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The pairs of labels and vertices of their faces, each once, in order.
-template <typename Labels>
-std::vector<std::pair<Surface::Index, Surface::Index>> labels_of_vertices(const Surface& surface,
-                                                                          const Labels& labels)
-{
-  std::vector<std::pair<Surface::Index, Surface::Index>> pairs;
-  for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
-      pairs.push_back({Surface::Index(labels[f]), surface.corner(f, i)});
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
-/// How long a description of the surface by its faces is: 1/8 for each face, and the mean over
-/// their vertices of the bits that tell where these are, up to `accuracy`: the logarithm of the
-/// standard deviation of those of a face from its surface. Vertices of freeform faces count as if
-/// they deviated by 1/250 of the size of the surface.
-inline double description_length(const Surface& surface, const Surface_faces& faces,
-                                 double accuracy)
-{
-  constexpr double of_face = 0.125;
-  const double freeform = 0.004 * surface.length_unit();
-  struct Sum
-  {
-    double squares = 0, vertices = 0;
-  };
-  std::vector<Sum> sums(faces.surfaces.size());
-  const std::vector<Surface_distance> distances(faces.surfaces.begin(), faces.surfaces.end());
-  for (const auto& [face, vertex] : labels_of_vertices(surface, faces.partition)) {
-    const Fitted_surface<>& s = faces.surfaces[face];
-    const double d = s.kind == Surface_kind::FREEFORM ? freeform
-                                                      : distances[face](surface.point(vertex));
-    sums[face].squares += d * d;
-    ++sums[face].vertices;
-  }
-  double bits = 0, vertices = 0;
-  for (const Sum& s : sums) {
-    bits += s.vertices * std::log2((std::max)(1.0, std::sqrt(s.squares / s.vertices) / accuracy));
-    vertices += s.vertices;
-  }
-  return of_face * double(sums.size()) + bits / vertices;
-}
 
 /// The angle of a point around the axis of a cylinder or cone; of a torus, around the circle in its
 /// tube; of a sphere, the elevation.
@@ -101,12 +57,16 @@ public:
       }
     m_range = 2 * CGAL_PI - widest;
     const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius;
-    m_same = (std::max)(1e-3 * m_range, radius > 0 ? 4 * tolerance / radius : 0);
+    m_same = (std::max)(1e-3 * m_range, radius > 0 ? 4.0 / 3 * tolerance / radius : 0);
     for (double& a : angles)
       a = from_first(a);
     std::sort(angles.begin(), angles.end());
-    for (std::size_t i = 1; i < angles.size(); ++i)
-      m_number += angles[i] - angles[i - 1] > m_same;
+    double line = angles.front();
+    for (const double angle : angles)
+      if (angle - line > m_same) {
+        line = angle;
+        ++m_number;
+      }
   }
 
   int number() const { return m_number; }
@@ -152,27 +112,24 @@ struct Grown_border
 /// \param angle between the normals of the surface and of a face beside it up to which they are
 ///        tangent
 template <typename End>
-Grown_border border_of_grown(const Surface& surface, const Face_neighbors& neighbors,
-                             const Face_grower& grower, const Fitted_surface<>& s, const End& end,
-                             double angle)
+Grown_border border_of_grown(const Tessellation& mesh, const Face_grower& grower,
+                             const Fitted_surface<>& s, const End& end, double angle)
 {
   Grown_border result;
-  const double cosine = std::cos(angle);
   std::vector<Surface::Index> vertices;
   for (const Surface::Index f : grower.faces()) {
     std::size_t i = 0;
-    for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
-      const Surface::Index other = neighbors.across(f, i++);
+    for_each_side(mesh.surface, f, [&](Surface::Index v, Surface::Index w) {
+      const Surface::Index other = face_across(mesh.surface, f, i++);
       if (other != Surface::none && grower.is_taken(other))
         return;
-      const Double_3 p = surface.point(v), q = surface.point(w);
+      const Double_3 p = mesh.surface.point(v), q = mesh.surface.point(w);
       const int at = end(p), e = at == end(q) ? at : 2;
       const double length = norm(q - p);
       vertices.push_back(v);
       vertices.push_back(w);
       result.length[e] += length;
-      if (other != Surface::none &&
-          dot(surface.normal(other), surface_normal(s, 0.5 * (p + q))) > cosine)
+      if (other != Surface::none && mesh.is_tangent(other, surface_normal(s, 0.5 * (p + q)), angle))
         result.tangent[e] += length;
     });
   }
@@ -181,28 +138,92 @@ Grown_border border_of_grown(const Surface& surface, const Face_neighbors& neigh
   return result;
 }
 
+/// Whether the faces that were grown are more than planes beside each other, or mostly one plane,
+/// with the first facets of the fillets beside it.
+inline bool has_facets(const Tessellation& mesh, const Face_grower& grower)
+{
+  constexpr double most = 0.6; // of the area
+  for (const auto& [facet, area] : mesh.facets_of(grower.faces()))
+    if (area > most * grower.area())
+      return false;
+  return true;
+}
+
 /// Whether the surface on which faces lie is more than a coincidence: the number of lines of
 /// vertices, and of ends where it is tangent to the faces beside it, as a fillet is, is at least 5,
 /// of a sphere 4. There always is a circle through 3 of them, and one through 4 by symmetry. A
 /// single row of facets is no evidence of a sphere or torus.
-inline bool is_evident(const Surface& surface, const Face_neighbors& neighbors,
-                       const Face_grower& grower, const Fitted_surface<>& s, double tolerance)
+inline bool is_evident(const Tessellation& mesh, const Face_grower& grower,
+                       const Fitted_surface<>& s)
 {
   constexpr double of_step = 0.15;
   constexpr int fewest_surplus = 3; // points
+  if (!has_facets(mesh, grower))
+    return false;
   const bool is_ruled = s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE;
   const int fewest = s.kind == Surface_kind::SPHERE ? 4 : 5;
-  const Profile_lines lines(s, grower.points(), tolerance);
+  const Profile_lines lines(s, grower.points(), mesh.tolerance());
   const int surplus = int(grower.points().size()) - degrees_of_freedom(s.kind);
   if (is_ruled && lines.number() >= fewest && surplus >= fewest_surplus)
     return true;
   const Grown_border border = border_of_grown(
-    surface, neighbors, grower, s, [&](const Double_3& p) { return lines.end(p); },
-    of_step * lines.step());
+    mesh, grower, s, [&](const Double_3& p) { return lines.end(p); }, of_step * lines.step());
   return lines.number() + border.number_of_tangent_ends() >= fewest &&
          surplus + border.number_of_tangent_ends() >= fewest_surplus &&
          (is_ruled || border.vertices < grower.points().size() ||
           (s.kind == Surface_kind::SPHERE && border.is_tangent()));
+}
+
+/// Whether a face leaves a curved surface little by little across the side from vertex v to w, by
+/// which it is beside a face on it: it departs from the surface less than a plane that is tangent
+/// to it where they meet would, and more than the tolerance. Else its curvature is another one.
+inline bool departs_gradually(const Tessellation& mesh, const Fitted_surface<>& s,
+                              Surface::Index face, Surface::Index v, Surface::Index w)
+{
+  constexpr double much_less = 0.7, along_tube = 0.02;
+  if (!mesh.has_normal(face) || !has_normal_of(mesh, s, face))
+    return false;
+  const Double_3 p = mesh.surface.point(v), side = mesh.surface.point(w) - p;
+  const Double_3 along = (1 / norm(side)) * side;
+  Double_3 foot = p, perpendicular{0, 0, 0}; // to the vertex that is farthest from the side
+  for (const Surface::Index u : mesh.surface.corners(face)) {
+    const Double_3 d = mesh.surface.point(u) - p, across = d - dot(d, along) * along;
+    if (squared_norm(across) > squared_norm(perpendicular)) {
+      foot = p + d - across;
+      perpendicular = across;
+    }
+  }
+  const double height = norm(perpendicular);
+  const Double_3 normal = surface_normal(s, foot),
+                 tangent = perpendicular - dot(perpendicular, normal) * normal;
+  const Surface_distance distance(s);
+  const double apart = std::fabs(distance(foot + perpendicular));
+  if (!(norm(tangent) > 0) || apart <= mesh.tolerance())
+    return false;
+  const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius,
+               of_plane = std::fabs(distance(foot + (height / norm(tangent)) * tangent) -
+                                    distance(foot)),
+               of_tube = std::sqrt(height * height + radius * radius) - radius;
+  return apart < (std::max)(much_less * of_plane, along_tube * of_tube);
+}
+
+/// The share of the border where the mesh leaves the surface little by little to faces that
+/// `is_free(face)`: growing has stopped in the middle of a face that is not on this surface, but
+/// only osculated by it.
+template <typename IsFree>
+double gradual_border(const Tessellation& mesh, const Face_grower& grower,
+                      const Fitted_surface<>& s, const IsFree& is_free)
+{
+  double share = 0, all = 0;
+  for (const Surface::Index f : grower.faces())
+    for_each_neighbor(mesh.surface, f, [&](Surface::Index g, Surface::Index v, Surface::Index w) {
+      if (grower.is_taken(g))
+        return;
+      const double length = norm(mesh.surface.point(w) - mesh.surface.point(v));
+      all += length;
+      share += is_free(g) && departs_gradually(mesh, s, g, v, w) ? length : 0;
+    });
+  return all > 0 ? share / all : 0;
 }
 
 } // namespace internal

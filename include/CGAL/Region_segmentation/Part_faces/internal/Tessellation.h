@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_TESSELLATION_H
+#define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_TESSELLATION_H
+
+#include <CGAL/Region_segmentation/Graph/Region_shapes.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
+#include <CGAL/Region_segmentation/Support/Double_3.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
+#include <CGAL/Region_segmentation/Surface/Surface.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Region_segmentation {
+namespace internal {
+
+/// The face across the i-th side of a face, if that is an edge without a constraint, or none.
+inline Surface::Index face_across(const Surface& surface, Surface::Index face, std::size_t i)
+{
+  const Surface::Index a = surface.adjacency(face, i);
+  if (a == Surface::none || surface.has_flag(a, Surface::barrier))
+    return Surface::none;
+  const Surface::Index lower = surface.lower_face(a);
+  return lower == face ? surface.higher_face(a) : lower;
+}
+
+/// Calls `f(other, v, w)` for the faces across the sides of a face that are edges without
+/// constraints: the side runs from vertex v to vertex w.
+template <typename F>
+void for_each_neighbor(const Surface& surface, Surface::Index face, const F& f)
+{
+  const std::size_t n = surface.number_of_corners(face);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Surface::Index other = face_across(surface, face, i);
+    if (other != Surface::none)
+      f(other, surface.corner(face, i), surface.corner(face, i + 1 < n ? i + 1 : 0));
+  }
+}
+
+/// The height of a face over its longest side, if it is a triangle; twice its area over that side.
+inline double height_of_face(const Surface& surface, Surface::Index face)
+{
+  double longest = 0;
+  for_each_side(surface, face, [&](Surface::Index v, Surface::Index w) {
+    longest = (std::max)(longest, squared_norm(surface.point(w) - surface.point(v)));
+  });
+  return longest > 0 && !surface.is_degenerate(face) ? 2 * surface.area(face) / std::sqrt(longest)
+                                                     : 0;
+}
+
+/// The faces around `seed` in breadth first order until they have `wanted` vertices: those across
+/// the sides for which `may_cross(face, other, v, w)`.
+template <typename Faces, typename MayCross>
+void collect_patch(Faces& patch, const Surface& surface, Surface::Index seed, std::size_t wanted,
+                   const MayCross& may_cross)
+{
+  patch.clear();
+  patch.add(seed);
+  for (std::size_t next = 0; next < patch.faces().size() && patch.points().size() < wanted;
+       ++next) {
+    const Surface::Index face = patch.faces()[next];
+    for_each_neighbor(surface, face, [&](Surface::Index other, Surface::Index v, Surface::Index w) {
+      if (!patch.has(other) && patch.points().size() < wanted && may_cross(next, other, v, w))
+        patch.add(other);
+    });
+  }
+}
+
+/// A plane facet of a tessellation: faces of the mesh that are coplanar.
+struct Facet
+{
+  Fitted_surface<> plane;
+  Double_3 center{0, 0, 0};
+  double area = 0;
+  Surface::Index ends[2]; ///< two of its vertices, far from each other
+  std::size_t number_of_vertices = 0;
+};
+
+/// A mesh of a machine part whose vertices deviate from the surfaces of the part by some standard
+/// deviation: what the normals of its faces tell, and its facets.
+class Tessellation
+{
+public:
+  using Index = Surface::Index;
+  static constexpr Index none = Surface::none;
+  /// Half the width of a prediction interval, in standard deviations.
+  static constexpr double interval = 5;
+
+  Tessellation(const Surface& s, double standard_deviation)
+    : surface(s)
+    , sigma(standard_deviation)
+    , m_angle_errors(s.number_of_faces())
+    , m_facet_of(s.number_of_faces(), none)
+  {
+    constexpr double of_normal = 6; // sigma over the height of a face: 3 standard deviations
+    for (Index f = 0; f < s.number_of_faces(); ++f) {
+      const double height = height_of_face(s, f);
+      m_angle_errors[f] = height > 0 ? of_normal * sigma / height
+                                     : std::numeric_limits<double>::infinity();
+    }
+    find_facets();
+  }
+
+  const Surface& surface;
+  const double sigma;
+  /// The largest distance of a vertex from the surface of its face.
+  double tolerance() const { return interval * sigma; }
+  /// The root mean square distance below which a fit is good enough.
+  double good_fit() const { return 0.05 * sigma; }
+
+  /// Whether the normal of a face tells anything: that of a sliver does not.
+  bool has_normal(Index face) const { return m_angle_errors[face] < 1; }
+  /// Of the normal of a face, in radians.
+  double angle_error(Index face) const { return m_angle_errors[face]; }
+  /// Whether two faces meet within an angle, as far as their normals tell.
+  bool meet_within(double angle, Index f, Index g) const
+  {
+    return !has_normal(f) || !has_normal(g) ||
+           dot(surface.normal(f), surface.normal(g)) >
+             cosine(angle + m_angle_errors[f] + m_angle_errors[g]);
+  }
+  /// Whether two adjacent faces may be facets of one curved face. Others meet at a crease, which no
+  /// face crosses.
+  bool is_smooth(Index f, Index g) const { return meet_within(smooth_angle, f, g); }
+  /// Whether the normal of a face is `normal`, within an angle.
+  bool has_normal_within(double angle, Index f, const Double_3& normal) const
+  {
+    return !has_normal(f) || dot(surface.normal(f), normal) > cosine(angle + m_angle_errors[f]);
+  }
+
+  /// Whether a face, or its facet where its own normal tells nothing, is tangent to a surface of
+  /// that normal within an angle; with that of its normal at most .3.
+  bool is_tangent(Index f, const Double_3& normal, double angle) const
+  {
+    constexpr double most = 0.3;
+    return has_normal(f) ? dot(surface.normal(f), normal) >
+                             std::cos((std::min)(angle + m_angle_errors[f] / 2, most))
+                         : dot(m_facets[m_facet_of[f]].plane.direction, normal) > std::cos(angle);
+  }
+
+  std::size_t number_of_facets() const { return m_facets.size(); }
+  const Facet& facet(std::size_t i) const { return m_facets[i]; }
+  Index facet_of(Index face) const { return m_facet_of[face]; }
+  /// The facets of those of some faces that have normals, and the areas of these, by facet.
+  std::vector<std::pair<Index, double>> facets_of(const std::vector<Index>& faces) const
+  {
+    std::vector<std::pair<Index, double>> result;
+    for (const Index f : faces)
+      if (has_normal(f))
+        result.push_back({m_facet_of[f], surface.area(f)});
+    std::sort(result.begin(), result.end());
+    std::size_t number = 0;
+    for (const auto& [facet, area] : result)
+      if (number > 0 && result[number - 1].first == facet)
+        result[number - 1].second += area;
+      else
+        result[number++] = {facet, area};
+    result.resize(number);
+    return result;
+  }
+  Iterator_range<const Index*> faces_of_facet(std::size_t i) const { return m_faces[i]; }
+
+private:
+  static constexpr double smooth_angle = 0.804; // 46 degrees: a cylinder has at least 8 facets
+
+  static double cosine(double angle) { return std::cos((std::min)(angle, CGAL_PI)); }
+
+  /// The plane of a facet that grows. The moments are relative to `origin`, which is on it.
+  struct Growing_plane
+  {
+    Double_3 origin, center, normal, axis[2];
+    double variance[2] = {0, 0}, number = 0;
+
+    /// Fits the plane to points with those moments.
+    void fit(const Second_moments& points)
+    {
+      number = points.weight;
+      center = origin + points.centroid();
+      const Symmetric_3 m = points.covariance();
+      const std::array<Double_3, 3> v = eigenvectors(m);
+      normal = dot(v[0], normal) < 0 ? -1.0 * v[0] : v[0];
+      for (int i = 0; i < 2; ++i) {
+        axis[i] = v[i + 1];
+        variance[i] = number * quadratic_form(m, axis[i]);
+      }
+    }
+
+    double height(const Double_3& p) const { return std::fabs(dot(p - center, normal)); }
+
+    /// Whether a point is within the prediction interval.
+    bool predicts(const Double_3& p, double sigma) const
+    {
+      double leverage = 1 / number;
+      for (int i = 0; i < 2; ++i) {
+        const double x = dot(p - center, axis[i]);
+        leverage += variance[i] > 0 ? x * x / variance[i] : std::numeric_limits<double>::infinity();
+      }
+      return leverage < most_leverage && height(p) <= interval * sigma * std::sqrt(1 + leverage);
+    }
+  };
+
+  static double quadratic_form(const Symmetric_3& m, const Double_3& v)
+  {
+    return m.xx * v.x * v.x + m.yy * v.y * v.y + m.zz * v.z * v.z +
+           2 * (m.xy * v.x * v.y + m.xz * v.x * v.z + m.yz * v.y * v.z);
+  }
+
+  /// The largest faces first, so that facets do not depend on the order of the faces.
+  void find_facets()
+  {
+    std::vector<Index> order(surface.number_of_faces()), faces;
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
+    std::vector<Index> last_facet(surface.number_of_vertices(), none); // that has the vertex
+    for (const Index seed : order)
+      if (m_facet_of[seed] == none)
+        m_facets.push_back(grow_facet(seed, last_facet, faces));
+    m_faces = Grouped_items<Index>(m_facets.size(), [&](const auto& add) {
+      for (Index f = 0; f < m_facet_of.size(); ++f)
+        add(m_facet_of[f], f);
+    });
+  }
+
+  Facet grow_facet(Index seed, std::vector<Index>& last_facet, std::vector<Index>& faces)
+  {
+    const Index id = Index(m_facets.size());
+    Second_moments points;
+    Growing_plane plane{surface.centroid(seed), surface.centroid(seed), surface.normal(seed), {}};
+    faces.clear();
+    const auto take = [&](Index f) {
+      m_facet_of[f] = id;
+      faces.push_back(f);
+      for (const Index v : surface.corners(f))
+        if (last_facet[v] != id) {
+          last_facet[v] = id;
+          points.add(1, surface.point(v) - plane.origin);
+        }
+    };
+    const auto lies_on = [&](Index f) {
+      for (const Index v : surface.corners(f))
+        if (last_facet[v] != id && !plane.predicts(surface.point(v), sigma))
+          return false;
+      return !has_normal(f) || dot(surface.normal(f), plane.normal) > 0.5;
+    };
+    take(seed);
+    plane.fit(points);
+    for (std::size_t fitted = 0; has_normal(seed) && fitted < faces.size();) {
+      fitted = faces.size();
+      for (std::size_t next = 0; next < faces.size(); ++next)
+        for_each_neighbor(surface, faces[next], [&](Index other, Index, Index) {
+          if (m_facet_of[other] != none || !lies_on(other))
+            return;
+          take(other);
+          if (points.weight < 12 || points.weight >= 1.25 * plane.number)
+            plane.fit(points);
+        });
+      plane.fit(points);
+    }
+    drop_distant_faces(seed, plane, faces);
+    return make_facet(plane, faces);
+  }
+
+  /// Those that were on an earlier plane and are not within the tolerance of the last one.
+  void drop_distant_faces(Index seed, const Growing_plane& plane, std::vector<Index>& faces)
+  {
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                               [&](Index f) {
+                                 bool is_on = true;
+                                 for (const Index v : surface.corners(f))
+                                   is_on = is_on && plane.height(surface.point(v)) <= tolerance();
+                                 if (is_on || f == seed)
+                                   return false;
+                                 m_facet_of[f] = none;
+                                 return true;
+                               }),
+                faces.end());
+  }
+
+  Facet make_facet(const Growing_plane& plane, const std::vector<Index>& faces)
+  {
+    Facet facet;
+    facet.plane = surface_of_kind(Surface_kind::PLANE, plane.center, plane.normal);
+    m_vertices.clear();
+    for (const Index f : faces) {
+      facet.area += surface.area(f);
+      facet.center = facet.center + surface.area(f) * surface.centroid(f);
+      for (const Index v : surface.corners(f))
+        m_vertices.push_back(v);
+    }
+    facet.center = facet.area > 0 ? (1 / facet.area) * facet.center : plane.center;
+    std::sort(m_vertices.begin(), m_vertices.end());
+    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
+    facet.number_of_vertices = m_vertices.size();
+    facet.ends[0] = farthest_vertex(facet.center);
+    facet.ends[1] = farthest_vertex(surface.point(facet.ends[0]));
+    return facet;
+  }
+
+  Index farthest_vertex(const Double_3& from) const
+  {
+    return *std::max_element(m_vertices.begin(), m_vertices.end(), [&](Index v, Index w) {
+      return squared_norm(surface.point(v) - from) < squared_norm(surface.point(w) - from);
+    });
+  }
+
+  static constexpr double most_leverage = 30;
+
+  std::vector<double> m_angle_errors; // by face
+  std::vector<Facet> m_facets;
+  std::vector<Index> m_facet_of; // by face
+  Grouped_items<Index> m_faces;  // by facet
+  std::vector<Index> m_vertices; // of a facet
+};
+
+} // namespace internal
+} // namespace Region_segmentation
+} // namespace CGAL
+
+#endif // CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_TESSELLATION_H
