@@ -8,7 +8,6 @@
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
-#include <CGAL/Region_segmentation/Part_faces/find_surface_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
@@ -160,8 +159,7 @@ struct Segmentation_details::Region_graph
 class Segmentation_details::Machine_part
 {
 public:
-  /// `tolerance`: that of the method, in units of the mesh; 0: found from the mesh
-  Machine_part(RS::Surface surface, double tolerance);
+  Machine_part(RS::Surface surface, const RS::Surface_faces& faces);
 
   /// Of each label that is of one face, or of a piece of it, alone.
   std::map<std::size_t, Surface_face> faces(const std::vector<std::size_t>& labels) const;
@@ -172,13 +170,14 @@ public:
 
 private:
   RS::Surface m_surface;
-  RS::Surface_faces m_faces;
+  const RS::Surface_faces& m_faces;
   std::vector<RS::Partition::Index> m_common_surfaces, m_common_axes;
 };
 
-Segmentation_details::Machine_part::Machine_part(RS::Surface surface, double tolerance)
+Segmentation_details::Machine_part::Machine_part(RS::Surface surface,
+                                                 const RS::Surface_faces& faces)
   : m_surface(std::move(surface))
-  , m_faces(RS::find_surface_faces(m_surface, tolerance))
+  , m_faces(faces)
   , m_common_surfaces(RS::find_common_surfaces(m_surface, m_faces))
   , m_common_axes(RS::find_common_axes(m_faces))
 {}
@@ -247,9 +246,9 @@ const Manifold& Segmentation_details::manifold() const
 
 const Segmentation_details::Machine_part* Segmentation_details::machine_part() const
 {
-  if (!m_machine_part && m_settings.method == Method::SMOOTH_FACES)
+  if (!m_machine_part && m_segmentation.part_faces)
     m_machine_part = std::make_unique<const Machine_part>(surface_of(m_soup, m_settings),
-                                                          m_settings.tolerance);
+                                                          *m_segmentation.part_faces);
   return m_machine_part.get();
 }
 

@@ -21,6 +21,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <queue>
 #include <set>
 #include <type_traits>
@@ -82,6 +83,20 @@ private:
 
   const Progress_listener& m_listener;
   std::vector<Start> m_starts;
+};
+
+/// `Smooth_faces` that keeps the faces that it finds.
+struct Smooth_faces_with_memory : RS::Smooth_faces
+{
+  std::shared_ptr<RS::Surface_faces> found = std::make_shared<RS::Surface_faces>();
+
+  Prepared prepare(const RS::Surface& surface, std::size_t number_of_segments = 0,
+                   const RS::Execution& execution = RS::Execution()) const
+  {
+    Prepared prepared = RS::Smooth_faces::prepare(surface, number_of_segments, execution);
+    *found = prepared.faces;
+    return prepared;
+  }
 };
 
 /// The number that was chosen, if the chooser would not choose a larger one, but the tree has more
@@ -147,9 +162,10 @@ Segmentation run_method(std::size_t number_of_faces, const Segment& segment,
     break;
   }
   case Method::SMOOTH_FACES: {
-    RS::Smooth_faces method;
+    Smooth_faces_with_memory method;
     method.tolerance = settings.tolerance;
     segment_by(method, segment, settings, listener, result);
+    result.part_faces = method.found;
     break;
   }
   case Method::VISIBILITY:

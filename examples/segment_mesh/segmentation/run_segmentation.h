@@ -6,11 +6,13 @@
 #include "soup/Polygon_soup.h"
 
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
+#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
 #include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,6 +85,8 @@ struct Segmentation
   /// Of the regions. Its partition into `number_of_segments` is `segment_of_face`; it has no merges
   /// where the segments are the regions.
   CGAL::Region_segmentation::Merge_tree tree{0};
+  /// Those that `SMOOTH_FACES` found; null for other methods.
+  std::shared_ptr<const CGAL::Region_segmentation::Surface_faces> part_faces;
   double seconds = 0; ///< from the mesh in memory to the labels
   std::vector<Stage_time> stages;
 };

@@ -51,8 +51,10 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
   std::vector<std::vector<Surface::Index>> facets(faces.surfaces.size());
   for (Surface::Index f = 0; f < surface.number_of_faces(); ++f)
     facets[faces.partition[f]].push_back(f);
-  const auto lies_on = [&](std::size_t part, const Fitted_surface<>& s) {
-    const internal::Surface_distance distance(s);
+  const std::vector<internal::Surface_distance> distances(faces.surfaces.begin(),
+                                                          faces.surfaces.end());
+  const auto lies_on = [&](std::size_t part, std::size_t other) {
+    const internal::Surface_distance& distance = distances[other];
     return std::all_of(facets[part].begin(), facets[part].end(), [&](Surface::Index f) {
       for (std::size_t i = 0; i < surface.number_of_corners(f); ++i)
         if (std::fabs(distance(surface.point(surface.corner(f, i)))) > tolerance)
@@ -62,7 +64,7 @@ inline std::vector<Partition::Index> find_common_surfaces(const Surface& surface
   };
   return internal::first_equal_ones(faces.surfaces.size(), [&](std::size_t i, std::size_t j) {
     const Fitted_surface<>&s = faces.surfaces[i], &t = faces.surfaces[j];
-    return s.kind == t.kind && s.kind != Surface_kind::FREEFORM && (lies_on(j, s) || lies_on(i, t));
+    return s.kind == t.kind && s.kind != Surface_kind::FREEFORM && (lies_on(j, i) || lies_on(i, j));
   });
 }
 
