@@ -48,9 +48,8 @@ struct Face_search
   }
 
   bool is_found(Index face) const { return labels[face] != none; }
-  /// Whether a curved face may have it.
-  bool is_free(Index face) const { return !is_found(face); }
   bool is_sure_plane(Index face) const { return is_sure[mesh.facet_of(face)]; }
+  bool may_be_curved(Index face) const { return !is_found(face) && !is_sure_plane(face); }
 
   template <typename Faces>
   void add(const Fitted_surface<>& s, const Faces& faces)

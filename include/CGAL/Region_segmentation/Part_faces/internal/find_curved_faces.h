@@ -7,6 +7,8 @@
 #include <CGAL/Region_segmentation/Part_faces/internal/Surface_proposer.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/surface_evidence.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
+#include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,15 +47,21 @@ public:
   {
     const std::vector<Index> seeds = m_search.seeds();
     m_is_tried.assign(m_surface.number_of_faces(), 0);
+    const Partition components = smooth_components_left();
+    std::vector<std::size_t> in_vain(components.number_of_parts(), 0); // patches since a face
     Step_counter progress(execution, seeds.size());
     for (const Index seed : seeds) {
       progress.advance();
-      if (m_is_tried[seed] || m_search.is_found(seed) || m_search.is_sure_plane(seed))
+      std::size_t& vain = in_vain[components[seed]];
+      if (m_is_tried[seed] || !m_search.may_be_curved(seed) || vain > most_in_vain)
         continue;
       for (const Double_3& direction : directions(seed)) {
         collect(seed, direction);
-        if (find_from_patch())
+        if (find_from_patch()) {
+          vain = 0;
           break;
+        }
+        ++vain;
         const std::size_t tried = (std::max)(m_patch.faces().size() / m_options.share_tried,
                                              std::size_t(1));
         for (std::size_t i = 0; i < tried; ++i)
@@ -63,6 +71,20 @@ public:
   }
 
 private:
+  /// The components of the faces that are left, of which two are connected where they go on
+  /// smoothly.
+  Partition smooth_components_left() const
+  {
+    return label_components(
+      m_surface,
+      [&](std::size_t a) {
+        const Index f = m_surface.lower_face(a), g = m_surface.higher_face(a);
+        return !m_surface.has_flag(a, Surface::barrier) && m_search.may_be_curved(f) &&
+               m_search.may_be_curved(g) && m_mesh.is_smooth(f, g);
+      },
+      Execution());
+  }
+
   bool find_from_patch()
   {
     constexpr std::size_t fewest_points = 6;
@@ -80,7 +102,7 @@ private:
       if (kind == Surface_kind::PLANE || !fits(propose(kind, s), s))
         continue;
       orient(s);
-      m_grower.grow(s, m_patch, [&](Index f) { return m_search.is_free(f); });
+      m_grower.grow(s, m_patch, [&](Index f) { return !m_search.is_found(f); });
       const double gain = double(m_grower.points().size()) - degrees_of_freedom(kind);
       if (gain <= 1.1 * best_gain)
         continue;
@@ -224,6 +246,9 @@ private:
 
   /// The largest deviation of the vertices of a face from their surface, in `Tessellation::sigma`.
   static constexpr double most_error = 1.5;
+
+  /// After as many patches without a face, what goes on smoothly is taken to be freeform.
+  static constexpr std::size_t most_in_vain = 200;
 
   Face_search& m_search;
   const Tessellation& m_mesh;
