@@ -56,6 +56,8 @@ public:
     m_orthogonal = eigenvectors(squares)[0];
     m_equal_angles = eigenvectors(around_mean)[0];
     m_line = axis_line(centers, normals, m_origin);
+    if (!is_finite(m_line.point) || !is_finite(m_line.direction))
+      m_line = {m_origin, m_normal};
     m_paraboloid = osculating_paraboloid(m_points, m_origin, m_normal);
   }
 

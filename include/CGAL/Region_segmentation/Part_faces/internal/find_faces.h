@@ -168,6 +168,10 @@ inline void fit_surfaces(const Tessellation& mesh, Surface_faces& faces)
     for (const Surface::Index f : by_part[part])
       if (has_vertices_on(mesh, s, f))
         members.add(f);
+    if (members.faces().empty()) {
+      s = Fitted_surface<>();
+      continue;
+    }
     const std::vector<Double_3> sample = evenly_spread(members.points(), most_fitted_points);
     Fitted_surface<> fitted = s;
     if (int(sample.size()) > degrees_of_freedom(s.kind) &&

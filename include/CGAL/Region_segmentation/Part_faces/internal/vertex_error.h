@@ -214,7 +214,7 @@ inline double error_of_fits(const Surface& surface, double size, double least)
   constexpr std::size_t fewest = 12, most = 80;
   constexpr double golden = 0.618033988749895;
   const std::size_t n = surface.number_of_faces(),
-                    tried = (std::min)(most, (std::max)(fewest, n / most));
+                    tried = (std::min)({n, most, (std::max)(fewest, n / most)});
   std::vector<double> errors;
   Face_set patch(surface);
   std::size_t exact = 0;
