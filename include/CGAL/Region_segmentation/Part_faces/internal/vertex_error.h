@@ -239,7 +239,7 @@ inline double error_of_fits(const Surface& surface, double size, double least)
 /// The standard deviation of the vertices of a part from its surfaces, in units of the surface.
 inline double vertex_error(const Surface& surface)
 {
-  constexpr double rounding = 1e-7, of_step = 0.35; // 1.2 / sqrt(12)
+  constexpr double rounding = 2e-7, of_step = 0.35; // 1.2 / sqrt(12)
   const double size = size_of_surface(surface);
   const double least = (std::max)(rounding * size, of_step * coordinate_step(surface, size));
   const double fits = error_of_fits(surface, size, least);
