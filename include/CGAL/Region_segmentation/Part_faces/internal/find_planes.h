@@ -25,15 +25,14 @@ inline void join_rests_of_facets(Face_search& search)
   using Index = Surface::Index;
   constexpr double angle = 0.927; // 53 degrees, as long triangles across a fillet may have it
   const Tessellation& mesh = search.mesh;
-  const auto is_rest = [&](Index f) {
-    const auto faces = mesh.faces_of_facet(mesh.facet_of(f));
-    return std::any_of(faces.begin(), faces.end(), [&](Index g) { return search.is_found(g); });
-  };
+  std::vector<std::uint8_t> has_found(mesh.number_of_facets(), 0);
+  for (Index f = 0; f < search.labels.size(); ++f)
+    has_found[mesh.facet_of(f)] |= std::uint8_t(search.is_found(f));
   std::vector<std::pair<Index, Index>> joined; // faces and their labels
   do {
     joined.clear();
     for (Index f = 0; f < search.labels.size(); ++f) {
-      if (search.is_found(f) || !is_rest(f))
+      if (search.is_found(f) || !has_found[mesh.facet_of(f)])
         continue;
       double least = std::numeric_limits<double>::infinity();
       Index best = Face_search::none;
