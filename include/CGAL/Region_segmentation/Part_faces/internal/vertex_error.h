@@ -164,7 +164,7 @@ inline double error_of_flat_pairs(const Surface& surface, double size, double le
 
 /// The root mean square distance of vertices around a face from the surface that fits them best,
 /// with that of the unknown parameters; not less than `least`; infinite if none fits, or they are
-/// not on both sides of it by chance.
+/// not on both sides of it by chance; 0 on an exact plane, which tells nothing of other surfaces.
 inline double error_of_fit(const Surface& surface, Face_set& patch, Surface::Index seed,
                            double size, double least)
 {
@@ -194,7 +194,7 @@ inline double error_of_fit(const Surface& surface, Face_set& patch, Surface::Ind
       best = s;
     }
     if (error < least)
-      return least;
+      return kind == Surface_kind::PLANE ? 0 : least;
   }
   const Surface_distance distance(best);
   std::size_t opposite = 0, all = 0;
@@ -217,20 +217,21 @@ inline double error_of_fits(const Surface& surface, double size, double least)
                     tried = (std::min)({n, most, (std::max)(fewest, n / most)});
   std::vector<double> errors;
   Face_set patch(surface);
-  std::size_t exact = 0;
+  std::size_t exact = 0, exact_planes = 0;
   for (std::size_t i = 0; i < tried; ++i) {
     const double x = golden * double(i);
     const Surface::Index seed = Surface::Index((x - std::floor(x)) * double(n));
     const double error = surface.is_degenerate(seed)
                            ? std::numeric_limits<double>::infinity()
                            : error_of_fit(surface, patch, seed, size, least);
-    exact += error <= 1.01 * least;
+    exact_planes += error == 0;
+    exact += error > 0 && error <= 1.01 * least;
     if (exact == 3)
       return least;
-    if (std::isfinite(error))
+    if (error > 0 && std::isfinite(error))
       errors.push_back(error);
   }
-  if (errors.size() < 3 || 5 * errors.size() < tried)
+  if (errors.size() < 3 || 5 * errors.size() < tried - exact_planes)
     return 0;
   std::sort(errors.begin(), errors.end());
   return errors[errors.size() / 3];
