@@ -72,7 +72,9 @@ int main()
   count_with_each_method("folded cone", shapes::folded_cone);
   count_with_each_method("star", shapes::star);
   count_without_rays("triangles at one edge", shapes::triangles_at_one_edge);
-  count_without_rays("polygons on ten points", shapes::polygons_on_ten_points);
+  // Fewer have too few sections at each region.
+  count_without_rays("polygons on ten points",
+                     [](std::size_t n) { return shapes::polygons_on_ten_points(4 * n); });
   count_with_each_method("tetrahedra", shapes::tetrahedra);
   count_with_each_method("folded strip", shapes::folded_strip);
   count_with_each_method("torus and far triangle", shapes::torus_and_far_triangle);

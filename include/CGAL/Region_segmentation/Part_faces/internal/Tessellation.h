@@ -190,7 +190,7 @@ private:
       const Symmetric_3 m = points.covariance();
       const std::array<Double_3, 3> v = eigenvectors(m);
       normal = dot(v[0], normal) < 0 ? -1.0 * v[0] : v[0];
-      for (int i = 0; i < 2; ++i) {
+      for (std::size_t i = 0; i < 2; ++i) {
         axis[i] = v[i + 1];
         variance[i] = number * quadratic_form(m, axis[i]);
       }
@@ -198,15 +198,16 @@ private:
 
     double height(const Double_3& p) const { return std::fabs(dot(p - center, normal)); }
 
-    /// Whether a point is within the prediction interval.
-    bool predicts(const Double_3& p, double sigma) const
+    /// Whether a point is within the prediction interval, whose half width is given for points that
+    /// determine the plane well.
+    bool predicts(const Double_3& p, double half_width) const
     {
       double leverage = 1 / number;
       for (int i = 0; i < 2; ++i) {
         const double x = dot(p - center, axis[i]);
         leverage += variance[i] > 0 ? x * x / variance[i] : std::numeric_limits<double>::infinity();
       }
-      return leverage < most_leverage && height(p) <= interval * sigma * std::sqrt(1 + leverage);
+      return leverage < most_leverage && height(p) <= half_width * std::sqrt(1 + leverage);
     }
   };
 
@@ -250,7 +251,7 @@ private:
     };
     const auto lies_on = [&](Index f) {
       for (const Index v : surface.corners(f))
-        if (last_facet[v] != id && !plane.predicts(surface.point(v), sigma))
+        if (last_facet[v] != id && !plane.predicts(surface.point(v), tolerance()))
           return false;
       return !has_normal(f) || dot(surface.normal(f), plane.normal) > 0.5;
     };

@@ -115,16 +115,46 @@ inline void label_thin_faces(Face_search& search)
   }
 }
 
+/// Gives faces without area that no side has a face across, as copies of others, the label of the
+/// first face that they are adjacent to. Returns that face, by face; none for other faces.
+inline std::vector<Surface::Index> label_copies(Face_search& search)
+{
+  using Index = Surface::Index;
+  const Surface& surface = search.surface;
+  std::vector<Index> originals(surface.number_of_faces(), Face_search::none);
+  const auto is_copy = [&](Index f) {
+    bool result = surface.is_degenerate(f);
+    if (result)
+      for_each_neighbor(surface, f, [&](Index, Index, Index) { result = false; });
+    return result;
+  };
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
+    const Index f = surface.lower_face(a), g = surface.higher_face(a);
+    if (surface.has_flag(a, Surface::LINK | Surface::CONSTRAINED) ||
+        surface.is_degenerate(f) == surface.is_degenerate(g))
+      continue;
+    const auto [copy, original] = surface.is_degenerate(f) ? std::pair(f, g) : std::pair(g, f);
+    if (originals[copy] == Face_search::none && is_copy(copy)) {
+      originals[copy] = original;
+      search.labels[copy] = search.labels[original];
+    }
+  }
+  return originals;
+}
+
 /// Makes each connected component of a label a face of its own, and those of what was not found
 /// freeform faces, which end where the mesh does not go on smoothly.
 inline void separate_components(Face_search& search, const Execution& execution)
 {
   const Surface& surface = search.surface;
+  const std::vector<Surface::Index> originals = label_copies(search);
   const Partition components = label_components(
     surface,
     [&](std::size_t a) {
       const Surface::Index f = surface.lower_face(a), g = surface.higher_face(a),
                            label = search.labels[f];
+      if (originals[f] == g || originals[g] == f)
+        return true;
       return label == search.labels[g] && !surface.has_flag(a, Surface::barrier) &&
              (label != Face_search::none || search.mesh.is_smooth(f, g));
     },

@@ -98,7 +98,7 @@ private:
   }
 
   Matrix m_factors;
-  std::array<double, std::size_t(Matrix::RowsAtCompileTime)> m_pivots{};
+  double m_pivots[Matrix::RowsAtCompileTime] = {};
 };
 
 /// Solves a x = b, see `Positive_definite`.
