@@ -37,8 +37,7 @@ inline bool has_vertices_on(const Tessellation& mesh, const Fitted_surface<>& s,
 inline bool has_normal_of(const Tessellation& mesh, const Fitted_surface<>& s, Surface::Index face,
                           double angle = usual_angle)
 {
-  return !mesh.has_normal(face) ||
-         mesh.has_normal_within(angle, face, surface_normal(s, mesh.surface.centroid(face)));
+  return mesh.has_normal_within(angle, face, surface_normal(s, mesh.surface.centroid(face)));
 }
 
 /// The mean distance of the midpoints of the sides of a face from a surface: how much the face
@@ -142,8 +141,6 @@ public:
   bool is_taken(Index face) const { return m_taken.has(face); }
   const std::vector<Double_3>& points() const { return m_taken.points(); }
   double area() const { return m_taken.area(); }
-  /// That of facets, see `largest_deviation()`.
-  double largest_deviation_of_facets() const { return m_largest_deviation; }
 
 private:
   void take_if_on(const Fitted_surface<>& s, Index face)
@@ -171,7 +168,7 @@ private:
     const Surface_fitter fitter(sample, m_mesh.good_fit());
     Fitted_surface<> better = s;
     const double allowed = (std::max)(2 * m_mesh.sigma, 1.2 * fitter.root_mean_square(s));
-    if (fitter(better, 8) <= allowed)
+    if (fitter(better, few_iterations) <= allowed)
       s = better;
     m_predicts.emplace(s, fitter, m_mesh.tolerance());
   }

@@ -7,10 +7,8 @@
 #include <CGAL/Region_segmentation/Part_faces/internal/Face_set.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/Tessellation.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -30,9 +28,8 @@ struct Face_search
   Face_grower grower;
   std::vector<Index> labels;              ///< by face of the mesh; none: not found yet
   std::vector<Fitted_surface<>> surfaces; ///< by label
-  std::vector<std::uint8_t> is_sure;      ///< by facet: it is a plane of the part, or of one
-
-  std::vector<std::uint8_t> is_freeform; ///< by facet: a curved face that had it was none
+  std::vector<std::uint8_t> is_sure;      ///< by facet: it surely is a plane of the part
+  std::vector<std::uint8_t> is_freeform;  ///< by facet: a curved face that had it was none
 
   explicit Face_search(const Tessellation& tessellation)
     : mesh(tessellation)
@@ -59,18 +56,6 @@ struct Face_search
     surfaces.push_back(s);
   }
 
-  /// Faces that are not found, the largest first: so what is found does not depend on their order.
-  std::vector<Index> seeds() const
-  {
-    std::vector<Index> result;
-    for (Index f = 0; f < labels.size(); ++f)
-      if (!is_found(f) && mesh.has_normal(f))
-        result.push_back(f);
-    std::stable_sort(result.begin(), result.end(),
-                     [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
-    return result;
-  }
-
 private:
   /// Whether a facet has six vertices, and less than two facets of at least an eighth of its area
   /// go on from it smoothly: so it is none of a curved face.
@@ -85,7 +70,7 @@ private:
       bool has_two = false;
       for_each_neighbor(surface, f, [&](Index g, Index, Index) {
         const Index other = mesh.facet_of(g);
-        if (other == facet || !mesh.has_normal(f) || !mesh.has_normal(g) || !mesh.is_smooth(f, g) ||
+        if (other == facet || !mesh.is_surely_smooth(f, g) ||
             mesh.facet(other).area <= least_area * mesh.facet(facet).area)
           return;
         has_two = has_two || (first != none && other != first);

@@ -31,6 +31,8 @@ struct Oriented_piece
 class Surface_proposer
 {
 public:
+  static constexpr std::size_t most_points = 80; ///< that are fitted
+
   /// \param pieces of the surface around the points: not none, and with normals
   Surface_proposer(const std::vector<Double_3>& points, const std::vector<Oriented_piece>& pieces,
                    double stop)
@@ -115,8 +117,6 @@ private:
       return result;
     }
   }
-
-  static constexpr std::size_t most_points = 80;
 
   std::vector<Double_3> m_points;
   Surface_fitter m_fitter;

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -101,6 +100,7 @@ public:
     : surface(s)
     , sigma(standard_deviation)
     , m_angle_errors(s.number_of_faces())
+    , m_by_area(s.number_of_faces())
     , m_facet_of(s.number_of_faces(), none)
   {
     constexpr double of_normal = 6; // sigma over the height of a face: 3 standard deviations
@@ -121,8 +121,6 @@ public:
 
   /// Whether the normal of a face tells anything: that of a sliver does not.
   bool has_normal(Index face) const { return m_angle_errors[face] < 1; }
-  /// Of the normal of a face, in radians.
-  double angle_error(Index face) const { return m_angle_errors[face]; }
   /// Whether two faces meet within an angle, as far as their normals tell.
   bool meet_within(double angle, Index f, Index g) const
   {
@@ -130,9 +128,15 @@ public:
            dot(surface.normal(f), surface.normal(g)) >
              cosine(angle + m_angle_errors[f] + m_angle_errors[g]);
   }
+  /// The same of two faces whose normals tell something.
+  bool surely_meet_within(double angle, Index f, Index g) const
+  {
+    return has_normal(f) && has_normal(g) && meet_within(angle, f, g);
+  }
   /// Whether two adjacent faces may be facets of one curved face. Others meet at a crease, which no
   /// face crosses.
   bool is_smooth(Index f, Index g) const { return meet_within(smooth_angle, f, g); }
+  bool is_surely_smooth(Index f, Index g) const { return surely_meet_within(smooth_angle, f, g); }
   /// Whether the normal of a face is `normal`, within an angle.
   bool has_normal_within(double angle, Index f, const Double_3& normal) const
   {
@@ -149,6 +153,8 @@ public:
                          : dot(m_facets[m_facet_of[f]].plane.direction, normal) > std::cos(angle);
   }
 
+  /// The largest first, so that what is found does not depend on the order of the faces.
+  const std::vector<Index>& faces_by_area() const { return m_by_area; }
   std::size_t number_of_facets() const { return m_facets.size(); }
   const Facet& facet(std::size_t i) const { return m_facets[i]; }
   Index facet_of(Index face) const { return m_facet_of[face]; }
@@ -192,7 +198,9 @@ private:
       normal = dot(v[0], normal) < 0 ? -1.0 * v[0] : v[0];
       for (std::size_t i = 0; i < 2; ++i) {
         axis[i] = v[i + 1];
-        variance[i] = number * quadratic_form(m, axis[i]);
+        Symmetric_3 square;
+        square.add_square(number, axis[i]);
+        variance[i] = trace_of_product(m, square);
       }
     }
 
@@ -211,21 +219,14 @@ private:
     }
   };
 
-  static double quadratic_form(const Symmetric_3& m, const Double_3& v)
-  {
-    return m.xx * v.x * v.x + m.yy * v.y * v.y + m.zz * v.z * v.z +
-           2 * (m.xy * v.x * v.y + m.xz * v.x * v.z + m.yz * v.y * v.z);
-  }
-
-  /// The largest faces first, so that facets do not depend on the order of the faces.
   void find_facets()
   {
-    std::vector<Index> order(surface.number_of_faces()), faces;
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
+    std::iota(m_by_area.begin(), m_by_area.end(), Index(0));
+    std::stable_sort(m_by_area.begin(), m_by_area.end(),
                      [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
-    std::vector<Index> last_facet(surface.number_of_vertices(), none); // that has the vertex
-    for (const Index seed : order)
+    std::vector<Index> last_facet(surface.number_of_vertices(), none), // that has the vertex
+      faces;
+    for (const Index seed : m_by_area)
       if (m_facet_of[seed] == none)
         m_facets.push_back(grow_facet(seed, last_facet, faces));
     m_faces = Grouped_items<Index>(m_facets.size(), [&](const auto& add) {
@@ -319,6 +320,7 @@ private:
   static constexpr double most_leverage = 30;
 
   std::vector<double> m_angle_errors; // by face
+  std::vector<Index> m_by_area;
   std::vector<Facet> m_facets;
   std::vector<Index> m_facet_of; // by face
   Grouped_items<Index> m_faces;  // by facet

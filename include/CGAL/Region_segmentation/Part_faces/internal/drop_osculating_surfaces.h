@@ -82,13 +82,14 @@ inline bool have_equal_curvature(const Surface& surface, const Fitted_surface<>&
 /// Which labels of `among` only osculate a freeform face, as .4 of their border tells: it goes on
 /// smoothly to others of `among` of nearly the same curvature; or to facets that are not found and
 /// not much larger, which leave the surface little by little, or are beside a single row of facets.
+/// `rows`: the single rows
 inline std::vector<std::uint8_t> osculating_labels(const Face_search& search,
+                                                   const std::vector<std::uint8_t>& rows,
                                                    const std::vector<std::uint8_t>& among)
 {
   using Index = Surface::Index;
   constexpr double most = 0.4, much_larger = 8;
   const Tessellation& mesh = search.mesh;
-  const std::vector<std::uint8_t> rows = single_rows(search);
   const auto goes_on = [&](Index f, Index g, Index v, Index w) {
     const Index label = search.labels[f];
     const Fitted_surface<>& s = search.surfaces[label];
@@ -121,8 +122,10 @@ inline std::vector<std::uint8_t> osculating_labels(const Face_search& search,
 inline void drop_osculating_surfaces(Face_search& search)
 {
   for (bool some = true; some;) {
-    const std::vector<std::uint8_t> dropped = osculating_labels(
-      search, osculating_labels(search, curved_labels(search)));
+    const std::vector<std::uint8_t> rows = single_rows(search),
+                                    dropped = osculating_labels(
+                                      search, rows,
+                                      osculating_labels(search, rows, curved_labels(search)));
     some = false;
     for (Surface::Index f = 0; f < search.labels.size(); ++f)
       if (search.is_found(f) && dropped[search.labels[f]]) {

@@ -41,19 +41,19 @@ public:
     , m_patch(search.patch)
     , m_grower(search.grower)
     , m_options(options)
+    , m_is_tried(search.surface.number_of_faces(), 0)
   {}
 
   void find(const Execution& execution)
   {
-    const std::vector<Index> seeds = m_search.seeds();
-    m_is_tried.assign(m_surface.number_of_faces(), 0);
     const Partition components = smooth_components_left();
     std::vector<std::size_t> in_vain(components.number_of_parts(), 0); // patches since a face
-    Step_counter progress(execution, seeds.size());
-    for (const Index seed : seeds) {
+    Step_counter progress(execution, m_surface.number_of_faces());
+    for (const Index seed : m_mesh.faces_by_area()) {
       progress.advance();
       std::size_t& vain = in_vain[components[seed]];
-      if (m_is_tried[seed] || !m_search.may_be_curved(seed) || vain > most_in_vain)
+      if (m_is_tried[seed] || !m_mesh.has_normal(seed) || !m_search.may_be_curved(seed) ||
+          vain > most_in_vain)
         continue;
       for (const Double_3& direction : directions(seed)) {
         collect(seed, direction);
@@ -198,7 +198,7 @@ private:
   /// \param error the root mean square distance of the points of the patch
   bool fits(double error, const Fitted_surface<>& s) const
   {
-    const double n = double((std::min)(m_patch.points().size(), std::size_t(80))),
+    const double n = double((std::min)(m_patch.points().size(), Surface_proposer::most_points)),
                  freedom = (std::max)(1.0, n - degrees_of_freedom(s.kind));
     return error <=
              most_error * m_mesh.sigma * std::sqrt(freedom / n) * (1 + 1.5 / std::sqrt(freedom)) &&
@@ -231,7 +231,6 @@ private:
   /// median.
   double standard_deviation(const Fitted_surface<>& s) const
   {
-    constexpr double median = 0.6745; // of the absolute value of a normal variable
     const Surface_distance distance(s);
     std::vector<double> distances;
     double squares = 0;
@@ -241,7 +240,7 @@ private:
     }
     const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());
-    return (std::min)(std::sqrt(squares / double(distances.size())), *middle / median);
+    return (std::min)(std::sqrt(squares / double(distances.size())), *middle / median_of_normal);
   }
 
   /// The largest deviation of the vertices of a face from their surface, in `Tessellation::sigma`.

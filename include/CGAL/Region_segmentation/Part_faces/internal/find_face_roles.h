@@ -45,31 +45,35 @@ inline bool meet_smoothly(const Surface& surface, std::size_t adjacency, const D
              normal_at(t, point, surface.normal(surface.higher_face(adjacency)))) > least_cosine;
 }
 
-/// Two faces of a part that share a side of faces of the mesh.
+/// A side of a face of the mesh at which two faces of a part meet.
 struct Shared_side
 {
-  Surface::Index adjacency, faces[2];
+  Surface::Index faces[2]; ///< of the part
+  double length;
   Double_3 middle, along; ///< `along`: of length 1
+  bool is_concave;        ///< by the facets
   bool is_smooth;         ///< their surfaces meet smoothly there
 };
 
-/// Calls `f(side)` for the sides between two faces that are not constrained.
-template <typename F>
-void for_each_border(const Surface& surface, const Partition& faces,
-                     const std::vector<Fitted_surface<>>& surfaces, const F& f)
+/// The sides between two faces that are not constrained.
+inline std::vector<Shared_side> find_borders(const Surface& surface, const Partition& faces,
+                                             const std::vector<Fitted_surface<>>& surfaces)
 {
+  std::vector<Shared_side> result;
   for_each_shared_side(surface, [&](Surface::Index a, Surface::Index v, Surface::Index w) {
     const Surface::Index i = faces[surface.lower_face(a)], j = faces[surface.higher_face(a)];
     if (i == j || surface.has_flag(a, Surface::CONSTRAINED))
       return;
     const Double_3 p = surface.point(v), d = surface.point(w) - p, middle = p + 0.5 * d;
     const double length = norm(d);
-    f(Shared_side{a,
-                  {i, j},
-                  middle,
-                  length > 0 ? (1 / length) * d : d,
-                  meet_smoothly(surface, a, middle, surfaces[i], surfaces[j])});
+    result.push_back({{i, j},
+                      surface.length(a),
+                      middle,
+                      length > 0 ? (1 / length) * d : d,
+                      surface.has_flag(a, Surface::CONCAVE),
+                      meet_smoothly(surface, a, middle, surfaces[i], surfaces[j])});
   });
+  return result;
 }
 
 /// How much an edge runs along the path of the ball that rolls in a blend, in [0, 1]: along the
@@ -93,19 +97,17 @@ inline double alignment_with_rolling(const Fitted_surface<>& s, const Shared_sid
 }
 
 /// Which faces are blends: most of their border along the path of a rolling ball is smooth.
-inline std::vector<Face_role> find_blends(const Surface& surface, const Partition& faces,
+inline std::vector<Face_role> find_blends(const std::vector<Shared_side>& borders,
                                           const std::vector<Fitted_surface<>>& surfaces)
 {
   constexpr double most = 0.6;
   std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
-  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
+  for (const Shared_side& side : borders)
     for (const std::size_t part : side.faces) {
-      const double length = surface.length(side.adjacency) *
-                            alignment_with_rolling(surfaces[part], side);
+      const double length = side.length * alignment_with_rolling(surfaces[part], side);
       all[part] += length;
       smooth[part] += side.is_smooth ? length : 0;
     }
-  });
   std::vector<Face_role> roles(surfaces.size(), Face_role::NONE);
   for (std::size_t i = 0; i < roles.size(); ++i)
     if (smooth[i] > most * all[i])
@@ -116,28 +118,27 @@ inline std::vector<Face_role> find_blends(const Surface& surface, const Partitio
 /// The roles of cylinders and cones that are no blends, and of blends. A convex wall is that of a
 /// boss if one of its ends, where its border runs around its axis, is a foot: a concave edge, or a
 /// concave blend; and another one is not.
-inline std::vector<Face_role> find_walls(const Surface& surface, const Partition& faces,
+inline std::vector<Face_role> find_walls(const std::vector<Shared_side>& borders,
                                          const std::vector<Fitted_surface<>>& surfaces)
 {
   constexpr double most_along_axis = 0.5;
   constexpr unsigned foot = 1, head = 2;
-  std::vector<Face_role> roles = find_blends(surface, faces, surfaces);
+  std::vector<Face_role> roles = find_blends(borders, surfaces);
   const auto is_wall = [&](std::size_t part) {
     const Surface_kind kind = surfaces[part].kind;
     return roles[part] == Face_role::NONE &&
            (kind == Surface_kind::CYLINDER || kind == Surface_kind::CONE);
   };
   std::vector<unsigned> ends(roles.size(), 0);
-  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
-    const bool is_concave_edge = surface.has_flag(side.adjacency, Surface::CONCAVE) &&
-                                 !side.is_smooth;
+  for (const Shared_side& side : borders) {
+    const bool is_concave_edge = side.is_concave && !side.is_smooth;
     const auto [i, j] = side.faces;
     for (const auto& [part, other] : {std::pair(i, j), std::pair(j, i)})
       if (is_wall(part) && std::fabs(dot(side.along, surfaces[part].direction)) < most_along_axis) {
         const bool is_on_blend = roles[other] == Face_role::BLEND && surfaces[other].side < 0;
         ends[part] |= is_concave_edge || is_on_blend ? foot : head;
       }
-  });
+  }
   for (std::size_t part = 0; part < roles.size(); ++part)
     if (is_wall(part))
       roles[part] = surfaces[part].side < 0       ? Face_role::HOLE
@@ -151,13 +152,14 @@ inline std::vector<Face_role> find_walls(const Surface& surface, const Partition
 inline std::vector<Face_role> find_face_roles(const Surface& surface, const Partition& faces,
                                               const std::vector<Fitted_surface<>>& surfaces)
 {
-  const std::vector<Face_role> walls = find_walls(surface, faces, surfaces);
+  const std::vector<Shared_side> borders = find_borders(surface, faces, surfaces);
+  const std::vector<Face_role> walls = find_walls(borders, surfaces);
   const auto bit = [](Face_role role) { return 1u << unsigned(role); };
   std::vector<unsigned> around(surfaces.size(), 0); // the bits of the roles of neighbors
-  for_each_border(surface, faces, surfaces, [&](const Shared_side& side) {
+  for (const Shared_side& side : borders) {
     around[side.faces[0]] |= bit(walls[side.faces[1]]);
     around[side.faces[1]] |= bit(walls[side.faces[0]]);
-  });
+  }
   std::vector<Face_role> result = walls;
   for (std::size_t i = 0; i < result.size(); ++i)
     for (const Face_role role : {Face_role::HOLE, Face_role::BOSS})

@@ -202,10 +202,9 @@ inline void fit_surfaces(const Tessellation& mesh, Surface_faces& faces)
       s = Fitted_surface<>();
       continue;
     }
-    const std::vector<Double_3> sample = evenly_spread(members.points(), most_fitted_points);
     Fitted_surface<> fitted = s;
-    if (int(sample.size()) > degrees_of_freedom(s.kind) &&
-        std::isfinite(Surface_fitter(sample, 0)(fitted, 8)) &&
+    if (int(members.points().size()) > degrees_of_freedom(s.kind) &&
+        refine_surface(fitted, members.points(), 0) &&
         largest_distance(fitted, members.points()) <= mesh.tolerance())
       s = fitted;
     measure(s, members.points());

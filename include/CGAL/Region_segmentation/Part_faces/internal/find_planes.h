@@ -74,8 +74,7 @@ inline bool stands_alone(const Face_search& search, Surface::Index facet)
         return;
       const double length = norm(search.surface.point(w) - search.surface.point(v));
       all += length;
-      if (!search.is_found(g) && mesh.has_normal(f) && mesh.has_normal(g) &&
-          mesh.meet_within(most_angle_of_freeform, f, g) &&
+      if (!search.is_found(g) && mesh.surely_meet_within(most_angle_of_freeform, f, g) &&
           mesh.facet(other).area > least_area * mesh.facet(facet).area)
         smooth += length;
     });
@@ -94,11 +93,11 @@ std::vector<Surface::Index> smooth_facets_around(const Face_search& search, Surf
   is_reached[facet] = 1;
   for (std::size_t next = 0; next < result.size(); ++next)
     for (const Index f : mesh.faces_of_facet(result[next]))
-      if (is_left(f) && mesh.has_normal(f))
+      if (is_left(f))
         for_each_neighbor(search.surface, f, [&](Index g, Index, Index) {
           const Index other = mesh.facet_of(g);
-          if (is_left(g) && !is_reached[other] && mesh.has_normal(g) &&
-              mesh.meet_within(most_angle_of_freeform, f, g)) {
+          if (is_left(g) && !is_reached[other] &&
+              mesh.surely_meet_within(most_angle_of_freeform, f, g)) {
             is_reached[other] = 1;
             result.push_back(other);
           }

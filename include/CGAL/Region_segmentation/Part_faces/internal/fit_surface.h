@@ -321,23 +321,41 @@ private:
   double m_size = 0, m_weight = 0;
 };
 
-/// Of a large face, so many points are fitted.
-inline constexpr std::size_t most_fitted_points = 300;
+/// The median of the absolute value of a normal variable, in standard deviations.
+inline constexpr double median_of_normal = 0.6745;
 
-/// At most so many of several points, or of what belongs to them, at multiples of the golden ratio:
-/// in the order of vertices, every second or third one may lie on one circle.
+/// The i-th of numbers below n that are spread evenly however many are taken, at multiples of the
+/// golden ratio: in the order of vertices, every second or third one may lie on one circle.
+inline std::size_t evenly_spread_index(std::size_t i, std::size_t n)
+{
+  constexpr double golden = 0.618033988749895;
+  const double x = golden * double(i);
+  return std::size_t((x - std::floor(x)) * double(n));
+}
+
+/// At most so many of several points, or of what belongs to them.
 template <typename T>
 std::vector<T> evenly_spread(const std::vector<T>& points, std::size_t most)
 {
-  constexpr double golden = 0.618033988749895;
   if (points.size() <= most)
     return points;
   std::vector<T> result;
-  for (std::size_t i = 0; i < most; ++i) {
-    const double x = golden * double(i);
-    result.push_back(points[std::size_t((x - std::floor(x)) * double(points.size()))]);
-  }
+  for (std::size_t i = 0; i < most; ++i)
+    result.push_back(points[evenly_spread_index(i, points.size())]);
   return result;
+}
+
+/// Of a large face, so many points are fitted.
+inline constexpr std::size_t most_fitted_points = 300;
+/// A surface that fits nearly needs so many iterations.
+inline constexpr int few_iterations = 8;
+
+/// Fits a surface to points, from the values that it has. Returns whether it led to a surface.
+/// \param stop see `Surface_fitter`
+inline bool refine_surface(Fitted_surface<>& s, const std::vector<Double_3>& points, double stop)
+{
+  const std::vector<Double_3> sample = evenly_spread(points, most_fitted_points);
+  return std::isfinite(Surface_fitter(sample, stop)(s, few_iterations));
 }
 
 /// Whether points are on a surface: within the prediction interval of its fit, which widens away

@@ -11,7 +11,6 @@
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -95,8 +94,7 @@ private:
       for (const Index label : {i, j})
         for (const Index f : m_faces[label])
           m_points.add(f);
-      const std::vector<Double_3> sample = evenly_spread(m_points.points(), most_fitted_points);
-      if (!std::isfinite(Surface_fitter(sample, m_mesh.good_fit())(s, 8)) || !has_all(s, i) ||
+      if (!refine_surface(s, m_points.points(), m_mesh.good_fit()) || !has_all(s, i) ||
           !has_all(s, j))
         return false;
     }

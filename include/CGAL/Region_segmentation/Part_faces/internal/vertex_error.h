@@ -158,8 +158,8 @@ inline double error_of_flat_pairs(const Surface& surface, double size, double le
     return least;
   const std::size_t flat = std::size_t(std::upper_bound(heights.begin(), heights.end(), below) -
                                        heights.begin());
-  constexpr double of_median = 0.6745, of_largest = 5; // in standard deviations
-  return (std::max)({least, heights[flat / 2] / of_median, heights[flat - 1] / of_largest});
+  constexpr double of_largest = 5; // in standard deviations
+  return (std::max)({least, heights[flat / 2] / median_of_normal, heights[flat - 1] / of_largest});
 }
 
 /// The root mean square distance of vertices around a face from the surface that fits them best,
@@ -212,15 +212,13 @@ inline double error_of_fit(const Surface& surface, Face_set& patch, Surface::Ind
 inline double error_of_fits(const Surface& surface, double size, double least)
 {
   constexpr std::size_t fewest = 12, most = 80;
-  constexpr double golden = 0.618033988749895;
   const std::size_t n = surface.number_of_faces(),
                     tried = (std::min)({n, most, (std::max)(fewest, n / most)});
   std::vector<double> errors;
   Face_set patch(surface);
   std::size_t exact = 0, exact_planes = 0;
   for (std::size_t i = 0; i < tried; ++i) {
-    const double x = golden * double(i);
-    const Surface::Index seed = Surface::Index((x - std::floor(x)) * double(n));
+    const Surface::Index seed = Surface::Index(evenly_spread_index(i, n));
     const double error = surface.is_degenerate(seed)
                            ? std::numeric_limits<double>::infinity()
                            : error_of_fit(surface, patch, seed, size, least);
