@@ -32,8 +32,8 @@ namespace Region_segmentation {
 ///    of facets are fitted with cylinders, cones, spheres and tori, by Levenberg and Marquardt's
 ///    method. A surface that fits grows over all faces that lie on it. Of those with evidence, of
 ///    lines of vertices and of tangent ends, the one that explains most vertices is a face.
-///    Neighbors that lie on one surface are one. Where much of the border goes on to faces of
-///    nearly the same curvature, the surface only osculates a freeform face, and is dropped.
+///    Neighbors that lie on one surface are one. A single row of facets that goes on smoothly to
+///    faces on no surface only osculates a freeform face, and is dropped.
 /// -# *Planes* are facets of four and more vertices that do not go on smoothly to others that are
 ///    left, and components of at most two facets.
 /// -# *Competition.* Faces at borders go to the surface from which the midpoints of their sides

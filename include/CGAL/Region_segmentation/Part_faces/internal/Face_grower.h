@@ -12,33 +12,11 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The angle between the normals of a face and of its surface up to which it can lie on it.
-inline constexpr double usual_angle = 0.6435; // 37 degrees
-
-/// Whether the vertices of a face are within the tolerance of a surface.
-inline bool has_vertices_on(const Tessellation& mesh, const Fitted_surface<>& s,
-                            Surface::Index face)
-{
-  const Surface_distance distance(s);
-  for (const Surface::Index v : mesh.surface.corners(face))
-    if (!(std::fabs(distance(mesh.surface.point(v))) <= mesh.tolerance()))
-      return false;
-  return true;
-}
-
-/// Whether the normal of a face is that of a surface, within an angle.
-inline bool has_normal_of(const Tessellation& mesh, const Fitted_surface<>& s, Surface::Index face,
-                          double angle = usual_angle)
-{
-  return mesh.has_normal_within(angle, face, surface_normal(s, mesh.surface.centroid(face)));
-}
 
 /// The mean distance of the midpoints of the sides of a face from a surface: how much the face
 /// deviates from it.
@@ -53,34 +31,20 @@ inline double deviation_of_face(const Surface& surface, const Fitted_surface<>& 
   return sum / double(surface.number_of_corners(face));
 }
 
-/// The distance of the center of its facet from a surface: that of facets of one tessellation is
-/// alike, but a cap, or the flat of a shaft, deviates more though its vertices lie on the surface.
-/// Of a facet that leaves the surface, where faces meet smoothly, that of the face itself.
-inline double deviation_of_facet(const Tessellation& mesh, const Fitted_surface<>& s,
-                                 Surface::Index face)
-{
-  const Surface_distance distance(s);
-  const Facet& facet = mesh.facet(mesh.facet_of(face));
-  const auto is_on = [&](Surface::Index v) {
-    return std::fabs(distance(mesh.surface.point(v))) <= mesh.tolerance();
-  };
-  return std::fabs(distance(
-    is_on(facet.ends[0]) && is_on(facet.ends[1]) ? facet.center : mesh.surface.centroid(face)));
-}
-
-/// The largest `deviation_of_facet()` of the facets of a face of the part, of which some are known.
+/// The largest deviation of the faces of the mesh on a surface, of which some are known. Those of
+/// one tessellation deviate alike, but a cap, or the flat of a shaft, deviates more though its
+/// vertices lie on the surface.
 inline double largest_deviation(const Tessellation& mesh, const Fitted_surface<>& s,
                                 const std::vector<Surface::Index>& faces)
 {
   constexpr double much = 10, least = 0.01, most = 0.16; // 1 - cos of 8 and 33 degrees
-  std::vector<std::pair<double, Surface::Index>> deviations;
+  std::vector<double> deviations;
   for (const Surface::Index f : faces)
-    deviations.push_back({deviation_of_facet(mesh, s, f), mesh.facet_of(f)});
-  std::sort(deviations.begin(), deviations.end());
-  deviations.erase(std::unique(deviations.begin(), deviations.end()), deviations.end());
+    deviations.push_back(deviation_of_face(mesh.surface, s, f));
+  const auto upper = deviations.begin() + std::ptrdiff_t(deviations.size() * 3 / 4);
+  std::nth_element(deviations.begin(), upper, deviations.end());
   const double radius = s.radius + s.minor_radius,
-               typical = (std::max)({much * deviations[deviations.size() * 3 / 4].first,
-                                     least * radius, mesh.tolerance()});
+               typical = (std::max)({much * *upper, least * radius, mesh.tolerance()});
   return s.kind == Surface_kind::SPHERE ? (std::min)(typical, most * radius) : typical;
 }
 
@@ -145,10 +109,10 @@ public:
 private:
   void take_if_on(const Fitted_surface<>& s, Index face)
   {
-    bool is_on = has_normal_of(m_mesh, s, face);
+    bool is_on = m_mesh.has_normal_of(s, face);
     for (const Index v : m_mesh.surface.corners(face))
       is_on = is_on && (*m_predicts)(m_mesh.surface.point(v));
-    if (is_on && deviation_of_facet(m_mesh, s, face) <= m_largest_deviation)
+    if (is_on && deviation_of_face(m_mesh.surface, s, face) <= m_largest_deviation)
       m_taken.add(face);
     else
       m_rejected.push_back(face);
@@ -180,7 +144,7 @@ private:
     const std::vector<Index> all = faces();
     m_taken.clear();
     for (const Index f : all)
-      if (has_vertices_on(m_mesh, s, f))
+      if (m_mesh.has_vertices_on(s, f))
         m_taken.add(f);
   }
 

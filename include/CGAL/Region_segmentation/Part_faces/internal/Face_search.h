@@ -40,8 +40,10 @@ struct Face_search
     , is_sure(tessellation.number_of_facets())
     , is_freeform(tessellation.number_of_facets(), 0)
   {
-    for (Index facet = 0; facet < is_sure.size(); ++facet)
-      is_sure[facet] = is_plane_of_part(facet);
+    constexpr std::size_t fewest_vertices = 6;
+    for (Index i = 0; i < is_sure.size(); ++i)
+      is_sure[i] = mesh.facet(i).number_of_vertices >= fewest_vertices &&
+                   stands_alone(i, Tessellation::smooth_angle);
   }
 
   bool is_found(Index face) const { return labels[face] != none; }
@@ -56,30 +58,24 @@ struct Face_search
     surfaces.push_back(s);
   }
 
-private:
-  /// Whether a facet has six vertices, and less than two facets of at least an eighth of its area
-  /// go on from it smoothly: so it is none of a curved face.
-  bool is_plane_of_part(Index facet) const
+  /// Whether a facet goes on to others that are not found and not much smaller, within an angle, at
+  /// most of a tenth of its border: so it is none of a curved face.
+  bool stands_alone(Index facet, double angle) const
   {
-    constexpr std::size_t fewest_vertices = 6;
-    constexpr double least_area = 0.125;
-    if (mesh.facet(facet).number_of_vertices < fewest_vertices)
-      return false;
-    Index first = none;
-    for (const Index f : mesh.faces_of_facet(facet)) {
-      bool has_two = false;
-      for_each_neighbor(surface, f, [&](Index g, Index, Index) {
+    constexpr double least_area = 0.2, most = 0.1;
+    double smooth = 0, all = 0;
+    for (const Index f : mesh.faces_of_facet(facet))
+      for_each_neighbor(surface, f, [&](Index g, Index v, Index w) {
         const Index other = mesh.facet_of(g);
-        if (other == facet || !mesh.is_surely_smooth(f, g) ||
-            mesh.facet(other).area <= least_area * mesh.facet(facet).area)
+        if (other == facet)
           return;
-        has_two = has_two || (first != none && other != first);
-        first = other;
+        const double length = norm(surface.point(w) - surface.point(v));
+        all += length;
+        if (!is_found(g) && mesh.surely_meet_within(angle, f, g) &&
+            mesh.facet(other).area > least_area * mesh.facet(facet).area)
+          smooth += length;
       });
-      if (has_two)
-        return false;
-    }
-    return true;
+    return smooth <= most * all;
   }
 };
 

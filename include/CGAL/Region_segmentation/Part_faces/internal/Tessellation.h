@@ -82,7 +82,6 @@ struct Facet
   Fitted_surface<> plane;
   Double_3 center{0, 0, 0};
   double area = 0;
-  Surface::Index ends[2]; ///< two of its vertices, far from each other
   std::size_t number_of_vertices = 0;
 };
 
@@ -95,6 +94,8 @@ public:
   static constexpr Index none = Surface::none;
   /// Half the width of a prediction interval, in standard deviations.
   static constexpr double interval = 5;
+  /// The largest angle between neighboring facets of a curved face: a cylinder has at least 8.
+  static constexpr double smooth_angle = 0.804; // 46 degrees
 
   Tessellation(const Surface& s, double standard_deviation)
     : surface(s)
@@ -136,13 +137,6 @@ public:
   /// Whether two adjacent faces may be facets of one curved face. Others meet at a crease, which no
   /// face crosses.
   bool is_smooth(Index f, Index g) const { return meet_within(smooth_angle, f, g); }
-  bool is_surely_smooth(Index f, Index g) const { return surely_meet_within(smooth_angle, f, g); }
-  /// Whether the normal of a face is `normal`, within an angle.
-  bool has_normal_within(double angle, Index f, const Double_3& normal) const
-  {
-    return !has_normal(f) || dot(surface.normal(f), normal) > cosine(angle + m_angle_errors[f]);
-  }
-
   /// Whether a face, or its facet where its own normal tells nothing, is tangent to a surface of
   /// that normal within an angle; with that of its normal at most .3.
   bool is_tangent(Index f, const Double_3& normal, double angle) const
@@ -151,6 +145,28 @@ public:
     return has_normal(f) ? dot(surface.normal(f), normal) >
                              std::cos((std::min)(angle + m_angle_errors[f] / 2, most))
                          : dot(m_facets[m_facet_of[f]].plane.direction, normal) > std::cos(angle);
+  }
+
+  /// Whether the vertices of a face are within the tolerance of a surface.
+  bool has_vertices_on(const Fitted_surface<>& s, Index face) const
+  {
+    const Surface_distance distance(s);
+    for (const Index v : surface.corners(face))
+      if (!(std::fabs(distance(surface.point(v))) <= tolerance()))
+        return false;
+    return true;
+  }
+  /// Whether the normal of a face may be that of a facet of a surface.
+  bool has_normal_of(const Fitted_surface<>& s, Index face) const
+  {
+    constexpr double most = 0.6435; // 37 degrees
+    return !has_normal(face) ||
+           dot(surface.normal(face), surface_normal(s, surface.centroid(face))) >
+             cosine(most + m_angle_errors[face]);
+  }
+  bool lies_on(const Fitted_surface<>& s, Index face) const
+  {
+    return has_vertices_on(s, face) && has_normal_of(s, face);
   }
 
   /// The largest first, so that what is found does not depend on the order of the faces.
@@ -178,46 +194,7 @@ public:
   Iterator_range<const Index*> faces_of_facet(std::size_t i) const { return m_faces[i]; }
 
 private:
-  static constexpr double smooth_angle = 0.804; // 46 degrees: a cylinder has at least 8 facets
-
   static double cosine(double angle) { return std::cos((std::min)(angle, CGAL_PI)); }
-
-  /// The plane of a facet that grows. The moments are relative to `origin`, which is on it.
-  struct Growing_plane
-  {
-    Double_3 origin, center, normal, axis[2];
-    double variance[2] = {0, 0}, number = 0;
-
-    /// Fits the plane to points with those moments.
-    void fit(const Second_moments& points)
-    {
-      number = points.weight;
-      center = origin + points.centroid();
-      const Symmetric_3 m = points.covariance();
-      const std::array<Double_3, 3> v = eigenvectors(m);
-      normal = dot(v[0], normal) < 0 ? -1.0 * v[0] : v[0];
-      for (std::size_t i = 0; i < 2; ++i) {
-        axis[i] = v[i + 1];
-        Symmetric_3 square;
-        square.add_square(number, axis[i]);
-        variance[i] = trace_of_product(m, square);
-      }
-    }
-
-    double height(const Double_3& p) const { return std::fabs(dot(p - center, normal)); }
-
-    /// Whether a point is within the prediction interval, whose half width is given for points that
-    /// determine the plane well.
-    bool predicts(const Double_3& p, double half_width) const
-    {
-      double leverage = 1 / number;
-      for (int i = 0; i < 2; ++i) {
-        const double x = dot(p - center, axis[i]);
-        leverage += variance[i] > 0 ? x * x / variance[i] : std::numeric_limits<double>::infinity();
-      }
-      return leverage < most_leverage && height(p) <= half_width * std::sqrt(1 + leverage);
-    }
-  };
 
   void find_facets()
   {
@@ -238,93 +215,49 @@ private:
   Facet grow_facet(Index seed, std::vector<Index>& last_facet, std::vector<Index>& faces)
   {
     const Index id = Index(m_facets.size());
-    Second_moments points;
-    Growing_plane plane{surface.centroid(seed), surface.centroid(seed), surface.normal(seed), {}};
-    faces.clear();
+    Facet facet{surface_of_kind(Surface_kind::PLANE, surface.centroid(seed), surface.normal(seed))};
+    Second_moments points; // relative to the center of the seed
+    double fitted_points = 0;
     const auto take = [&](Index f) {
       m_facet_of[f] = id;
       faces.push_back(f);
       for (const Index v : surface.corners(f))
         if (last_facet[v] != id) {
           last_facet[v] = id;
-          points.add(1, surface.point(v) - plane.origin);
+          points.add(1, surface.point(v) - surface.centroid(seed));
         }
     };
-    const auto lies_on = [&](Index f) {
-      for (const Index v : surface.corners(f))
-        if (last_facet[v] != id && !plane.predicts(surface.point(v), tolerance()))
-          return false;
-      return !has_normal(f) || dot(surface.normal(f), plane.normal) > 0.5;
+    const auto fit = [&] {
+      const Double_3 normal = eigenvectors(points.covariance())[0];
+      facet.plane.point = surface.centroid(seed) + points.centroid();
+      facet.plane.direction = dot(normal, facet.plane.direction) < 0 ? -1.0 * normal : normal;
+      fitted_points = points.weight;
     };
+    faces.clear();
     take(seed);
-    plane.fit(points);
-    for (std::size_t fitted = 0; has_normal(seed) && fitted < faces.size();) {
-      fitted = faces.size();
-      for (std::size_t next = 0; next < faces.size(); ++next)
-        for_each_neighbor(surface, faces[next], [&](Index other, Index, Index) {
-          if (m_facet_of[other] != none || !lies_on(other))
-            return;
-          take(other);
-          if (points.weight < 12 || points.weight >= 1.25 * plane.number)
-            plane.fit(points);
-        });
-      plane.fit(points);
-    }
-    drop_distant_faces(seed, plane, faces);
-    return make_facet(plane, faces);
-  }
-
-  /// Those that were on an earlier plane and are not within the tolerance of the last one.
-  void drop_distant_faces(Index seed, const Growing_plane& plane, std::vector<Index>& faces)
-  {
-    faces.erase(std::remove_if(faces.begin(), faces.end(),
-                               [&](Index f) {
-                                 bool is_on = true;
-                                 for (const Index v : surface.corners(f))
-                                   is_on = is_on && plane.height(surface.point(v)) <= tolerance();
-                                 if (is_on || f == seed)
-                                   return false;
-                                 m_facet_of[f] = none;
-                                 return true;
-                               }),
-                faces.end());
-  }
-
-  Facet make_facet(const Growing_plane& plane, const std::vector<Index>& faces)
-  {
-    Facet facet;
-    facet.plane = surface_of_kind(Surface_kind::PLANE, plane.center, plane.normal);
-    m_vertices.clear();
+    for (std::size_t next = 0; has_normal(seed) && next < faces.size(); ++next)
+      for_each_neighbor(surface, faces[next], [&](Index other, Index, Index) {
+        if (m_facet_of[other] != none || !lies_on(facet.plane, other))
+          return;
+        take(other);
+        if (points.weight < 12 || points.weight >= 1.25 * fitted_points)
+          fit();
+      });
+    fit();
     for (const Index f : faces) {
       facet.area += surface.area(f);
       facet.center = facet.center + surface.area(f) * surface.centroid(f);
-      for (const Index v : surface.corners(f))
-        m_vertices.push_back(v);
     }
-    facet.center = facet.area > 0 ? (1 / facet.area) * facet.center : plane.center;
-    std::sort(m_vertices.begin(), m_vertices.end());
-    m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
-    facet.number_of_vertices = m_vertices.size();
-    facet.ends[0] = farthest_vertex(facet.center);
-    facet.ends[1] = farthest_vertex(surface.point(facet.ends[0]));
+    facet.center = facet.area > 0 ? (1 / facet.area) * facet.center : facet.plane.point;
+    facet.number_of_vertices = std::size_t(points.weight);
     return facet;
   }
-
-  Index farthest_vertex(const Double_3& from) const
-  {
-    return *std::max_element(m_vertices.begin(), m_vertices.end(), [&](Index v, Index w) {
-      return squared_norm(surface.point(v) - from) < squared_norm(surface.point(w) - from);
-    });
-  }
-
-  static constexpr double most_leverage = 30;
 
   std::vector<double> m_angle_errors; // by face
   std::vector<Index> m_by_area;
   std::vector<Facet> m_facets;
   std::vector<Index> m_facet_of; // by face
   Grouped_items<Index> m_faces;  // by facet
-  std::vector<Index> m_vertices; // of a facet
 };
 
 } // namespace internal

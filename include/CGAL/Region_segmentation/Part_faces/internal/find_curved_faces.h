@@ -94,12 +94,14 @@ private:
     if (pieces.size() < 2)
       return false;
     const Surface_proposer propose(m_patch.points(), pieces, m_mesh.good_fit());
+    const std::size_t fitted = (std::min)(m_patch.points().size(), Surface_proposer::most_points);
     Fitted_surface<> best;
     std::vector<Index> best_faces;
     double best_gain = 0;
     for (const Surface_kind kind : kinds_of_surfaces) {
       Fitted_surface<> s;
-      if (kind == Surface_kind::PLANE || !fits(propose(kind, s), s))
+      if (kind == Surface_kind::PLANE || propose(kind, s) > largest_error(fitted, kind) ||
+          largest_distance(s, m_patch.points()) > m_mesh.tolerance())
         continue;
       orient(s);
       m_grower.grow(s, m_patch, [&](Index f) { return !m_search.is_found(f); });
@@ -194,15 +196,13 @@ private:
                   });
   }
 
-  /// Whether a surface fits the patch as well as points without a systematic error would.
-  /// \param error the root mean square distance of the points of the patch
-  bool fits(double error, const Fitted_surface<>& s) const
+  /// The largest root mean square distance of n points without a systematic error from the surface
+  /// that is fitted to them.
+  double largest_error(std::size_t n, Surface_kind kind) const
   {
-    const double n = double((std::min)(m_patch.points().size(), Surface_proposer::most_points)),
-                 freedom = (std::max)(1.0, n - degrees_of_freedom(s.kind));
-    return error <=
-             most_error * m_mesh.sigma * std::sqrt(freedom / n) * (1 + 1.5 / std::sqrt(freedom)) &&
-           largest_distance(s, m_patch.points()) <= m_mesh.tolerance();
+    constexpr double most = 1.5, of_chance = 1.5;
+    const double points = double(n), freedom = (std::max)(1.0, points - degrees_of_freedom(kind));
+    return most * m_mesh.sigma * std::sqrt(freedom / points) * (1 + of_chance / std::sqrt(freedom));
   }
 
   void orient(Fitted_surface<>& s) const
@@ -218,33 +218,13 @@ private:
   bool is_face(const Fitted_surface<>& s) const
   {
     constexpr double most_gradual = 0.1;
-    const double n = double(m_grower.points().size());
+    const std::vector<Double_3>& points = m_grower.points();
     return m_grower.faces().size() > 1 &&
-           standard_deviation(s) <= most_error * m_mesh.sigma * (1 + 2 / std::sqrt(n)) &&
+           Surface_fitter(points, 0).root_mean_square(s) <= largest_error(points.size(), s.kind) &&
            is_evident(m_mesh, m_grower, s) &&
            gradual_border(m_mesh, m_grower, s, [&](Index f) { return !m_search.is_found(f); }) <=
              most_gradual;
   }
-
-  /// That of the vertices that were grown from the surface: the root mean square of their
-  /// distances, or, where growing has taken some of a face that goes on smoothly, that of the
-  /// median.
-  double standard_deviation(const Fitted_surface<>& s) const
-  {
-    const Surface_distance distance(s);
-    std::vector<double> distances;
-    double squares = 0;
-    for (const Double_3& p : m_grower.points()) {
-      distances.push_back(std::fabs(distance(p)));
-      squares += distances.back() * distances.back();
-    }
-    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    return (std::min)(std::sqrt(squares / double(distances.size())), *middle / median_of_normal);
-  }
-
-  /// The largest deviation of the vertices of a face from their surface, in `Tessellation::sigma`.
-  static constexpr double most_error = 1.5;
 
   /// After as many patches without a face, what goes on smoothly is taken to be freeform.
   static constexpr std::size_t most_in_vain = 200;

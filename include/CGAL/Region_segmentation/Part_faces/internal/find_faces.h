@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -30,89 +31,57 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The label of the surface, of those of a face and its neighbors, from which the face deviates
-/// least.
+/// The label of the surface, of those of a face and its neighbors, on which the face lies, and from
+/// which it deviates least; that of the face if it lies on none.
 inline Surface::Index nearest_label(const Face_search& search, Surface::Index face)
 {
   using Index = Surface::Index;
-  const Tessellation& mesh = search.mesh;
-  const Index own = search.labels[face];
-  const auto deviation = [&](Index label) {
-    return deviation_of_face(search.surface, search.surfaces[label], face);
-  };
-  Index best = own;
+  constexpr double much = 0.9, little = 0.1; // of the deviation, of sigma
+  Index best = search.labels[face];
   double least = std::numeric_limits<double>::infinity();
-  bool is_inside = true;
-  for_each_neighbor(search.surface, face,
-                    [&](Index g, Index, Index) { is_inside &= search.labels[g] == own; });
-  if (is_inside)
-    return own;
-  if (own != Face_search::none && has_vertices_on(mesh, search.surfaces[own], face))
-    least = deviation(own);
-  for_each_neighbor(search.surface, face, [&](Index g, Index, Index) {
-    const Index label = search.labels[g];
-    if (label == Face_search::none || label == own || label == best ||
-        !has_vertices_on(mesh, search.surfaces[label], face) ||
-        !has_normal_of(mesh, search.surfaces[label], face))
+  const auto compare = [&](Index label) {
+    if (label == Face_search::none || !search.mesh.lies_on(search.surfaces[label], face))
       return;
-    if (const double d = deviation(label); d < 0.9 * least - 0.1 * mesh.sigma) {
-      least = d;
+    const double deviation = deviation_of_face(search.surface, search.surfaces[label], face);
+    if (deviation < much * least - little * search.mesh.sigma) {
+      least = deviation;
       best = label;
     }
+  };
+  compare(best);
+  for_each_neighbor(search.surface, face, [&](Index g, Index, Index) {
+    if (search.labels[g] != best)
+      compare(search.labels[g]);
   });
   return best;
 }
 
-/// Faces at borders go to the neighboring surface from which they deviate least.
-inline void compete_at_borders(Face_search& search)
+/// Faces at borders that `may_go(face)` go to the neighboring surface from which they deviate
+/// least.
+template <typename MayGo>
+void compete_at_borders(Face_search& search, const MayGo& may_go)
 {
-  constexpr int rounds = 4;
+  constexpr int rounds = 8;
   bool is_changed = true;
   for (int round = 0; round < rounds && is_changed; ++round) {
     is_changed = false;
     for (Surface::Index f = 0; f < search.labels.size(); ++f) {
-      const Surface::Index best = nearest_label(search, f);
+      const Surface::Index best = may_go(f) ? nearest_label(search, f) : search.labels[f];
       is_changed = is_changed || best != search.labels[f];
       search.labels[f] = best;
     }
   }
 }
 
-/// Gives faces without normals beside faces of other labels alone that of those on whose surface
-/// their vertices lie best.
-inline void label_thin_faces(Face_search& search)
+/// Faces that are not found, in facets of which others are, go to the surfaces beside them.
+inline void join_rests_of_facets(Face_search& search)
 {
-  using Index = Surface::Index;
-  constexpr int rounds = 8;
-  bool is_changed = true;
-  for (int round = 0; round < rounds && is_changed; ++round) {
-    is_changed = false;
-    for (Index f = 0; f < search.labels.size(); ++f) {
-      if (search.mesh.has_normal(f))
-        continue;
-      bool is_alone = true;
-      double least = std::numeric_limits<double>::infinity();
-      Index best = search.labels[f];
-      for_each_neighbor(search.surface, f, [&](Index g, Index, Index) {
-        const Index label = search.labels[g];
-        is_alone = is_alone && !(search.is_found(f) && label == search.labels[f]);
-        if (label == Face_search::none)
-          return;
-        const Surface_distance distance(search.surfaces[label]);
-        double largest = 0;
-        for (const Index v : search.surface.corners(f))
-          largest = (std::max)(largest, std::fabs(distance(search.surface.point(v))));
-        if (largest < least - 0.1 * search.mesh.sigma) {
-          least = largest;
-          best = label;
-        }
-      });
-      if (is_alone && best != search.labels[f]) {
-        search.labels[f] = best;
-        is_changed = true;
-      }
-    }
-  }
+  std::vector<std::uint8_t> has_found(search.mesh.number_of_facets(), 0);
+  for (Surface::Index f = 0; f < search.labels.size(); ++f)
+    has_found[search.mesh.facet_of(f)] |= std::uint8_t(search.is_found(f));
+  compete_at_borders(search, [&](Surface::Index f) {
+    return !search.is_found(f) && has_found[search.mesh.facet_of(f)];
+  });
 }
 
 /// Gives faces without area that no side has a face across, as copies of others, the label of the
@@ -175,8 +144,7 @@ inline void find_labels(Face_search& search, const Execution& execution)
   drop_osculating_surfaces(search);
   join_rests_of_facets(search);
   add_planes(search);
-  compete_at_borders(search);
-  label_thin_faces(search);
+  compete_at_borders(search, [](Surface::Index) { return true; });
   Equal_surfaces(search).merge();
   separate_components(search, execution.step(0.8, 1));
 }
@@ -196,7 +164,7 @@ inline void fit_surfaces(const Tessellation& mesh, Surface_faces& faces)
       continue;
     members.clear();
     for (const Surface::Index f : by_part[part])
-      if (has_vertices_on(mesh, s, f))
+      if (mesh.has_vertices_on(s, f))
         members.add(f);
     if (members.faces().empty()) {
       s = Fitted_surface<>();

@@ -10,76 +10,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// Faces that are not found, in facets of which others are, go to the neighbor from whose surface
-/// they deviate least, if they lie on it.
-inline void join_rests_of_facets(Face_search& search)
-{
-  using Index = Surface::Index;
-  constexpr double angle = 0.927; // 53 degrees, as long triangles across a fillet may have it
-  const Tessellation& mesh = search.mesh;
-  std::vector<std::uint8_t> has_found(mesh.number_of_facets(), 0);
-  for (Index f = 0; f < search.labels.size(); ++f)
-    has_found[mesh.facet_of(f)] |= std::uint8_t(search.is_found(f));
-  std::vector<std::pair<Index, Index>> joined; // faces and their labels
-  do {
-    joined.clear();
-    for (Index f = 0; f < search.labels.size(); ++f) {
-      if (search.is_found(f) || !has_found[mesh.facet_of(f)])
-        continue;
-      double least = std::numeric_limits<double>::infinity();
-      Index best = Face_search::none;
-      for_each_neighbor(search.surface, f, [&](Index g, Index, Index) {
-        if (!search.is_found(g))
-          return;
-        const Fitted_surface<>& s = search.surfaces[search.labels[g]];
-        if (!has_vertices_on(mesh, s, f) || !has_normal_of(mesh, s, f, angle))
-          return;
-        const double deviation = deviation_of_face(search.surface, s, f);
-        if (deviation < least) {
-          least = deviation;
-          best = search.labels[g];
-        }
-      });
-      if (best != Face_search::none)
-        joined.push_back({f, best});
-    }
-    for (const auto& [face, label] : joined)
-      search.labels[face] = label;
-  } while (!joined.empty());
-}
-
 /// The angle between neighboring facets of a freeform face is below 20 degrees.
 inline constexpr double most_angle_of_freeform = 0.35;
-
-/// Whether a facet goes on, as those of a freeform face do, to others that are not found and not
-/// much smaller, at most of a tenth of its border.
-inline bool stands_alone(const Face_search& search, Surface::Index facet)
-{
-  using Index = Surface::Index;
-  constexpr double least_area = 0.2, most = 0.1;
-  const Tessellation& mesh = search.mesh;
-  double smooth = 0, all = 0;
-  for (const Index f : mesh.faces_of_facet(facet))
-    for_each_neighbor(search.surface, f, [&](Index g, Index v, Index w) {
-      const Index other = mesh.facet_of(g);
-      if (other == facet)
-        return;
-      const double length = norm(search.surface.point(w) - search.surface.point(v));
-      all += length;
-      if (!search.is_found(g) && mesh.surely_meet_within(most_angle_of_freeform, f, g) &&
-          mesh.facet(other).area > least_area * mesh.facet(facet).area)
-        smooth += length;
-    });
-  return smooth <= most * all;
-}
 
 /// The facets that are not found and go on smoothly from one of them, over those that `is_left`.
 template <typename IsLeft>
@@ -116,7 +54,7 @@ inline std::vector<std::uint8_t> find_planes(const Face_search& search)
   std::vector<std::uint8_t> result(mesh.number_of_facets());
   for (Index i = 0; i < result.size(); ++i)
     result[i] = !search.is_freeform[i] && mesh.facet(i).number_of_vertices >= fewest_vertices &&
-                stands_alone(search, i);
+                search.stands_alone(i, most_angle_of_freeform);
   const std::vector<std::uint8_t> alone = result;
   const auto is_left = [&](Index f) { return !search.is_found(f) && !alone[mesh.facet_of(f)]; };
   std::vector<std::uint8_t> is_reached(result.size(), 0);

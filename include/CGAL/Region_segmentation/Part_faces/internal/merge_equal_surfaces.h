@@ -81,47 +81,29 @@ private:
   /// then is the surface of i.
   bool can_merge(Index i, Index j)
   {
-    constexpr std::size_t many_vertices = 6;
-    const Surface_kind kind = m_search.surfaces[i].kind, other = m_search.surfaces[j].kind;
-    if (kind == Surface_kind::PLANE && other != Surface_kind::PLANE)
-      return false;
-    if (other == Surface_kind::PLANE && kind != Surface_kind::PLANE &&
-        m_mesh.facet(m_mesh.facet_of(m_faces[j][0])).number_of_vertices >= many_vertices)
-      return false;
     Fitted_surface<> s = m_search.surfaces[i];
-    if (!has_all(s, j)) {
+    if (s.kind == Surface_kind::PLANE && m_search.surfaces[j].kind != Surface_kind::PLANE)
+      return false;
+    const double largest = largest_deviation(m_mesh, s, m_faces[i]);
+    if (!has_all(s, j, largest)) {
       m_points.clear();
       for (const Index label : {i, j})
         for (const Index f : m_faces[label])
           m_points.add(f);
-      if (!refine_surface(s, m_points.points(), m_mesh.good_fit()) || !has_all(s, i) ||
-          !has_all(s, j))
+      if (!refine_surface(s, m_points.points(), m_mesh.good_fit()) || !has_all(s, i, largest) ||
+          !has_all(s, j, largest))
         return false;
     }
-    if (is_flat_beside(s, i, j))
-      return false;
     m_search.surfaces[i] = s;
     return true;
   }
 
-  bool has_all(const Fitted_surface<>& s, Index label) const
+  /// `largest`: of the deviations of faces
+  bool has_all(const Fitted_surface<>& s, Index label, double largest) const
   {
     return std::all_of(m_faces[label].begin(), m_faces[label].end(), [&](Index f) {
-      return has_vertices_on(m_mesh, s, f) && has_normal_of(m_mesh, s, f);
+      return m_mesh.lies_on(s, f) && deviation_of_face(m_mesh.surface, s, f) <= largest;
     });
-  }
-
-  /// Whether a facet of label j deviates much more from a surface than those of label i.
-  bool is_flat_beside(const Fitted_surface<>& s, Index i, Index j) const
-  {
-    constexpr double much = 1.5;
-    const auto largest = [&](Index label) {
-      double result = 0;
-      for (const Index f : m_faces[label])
-        result = (std::max)(result, deviation_of_facet(m_mesh, s, f));
-      return result;
-    };
-    return largest(j) > (std::max)(much * largest(i), m_mesh.tolerance());
   }
 
   Face_search& m_search;

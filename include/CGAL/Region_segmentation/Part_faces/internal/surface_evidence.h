@@ -180,8 +180,8 @@ inline bool is_evident(const Tessellation& mesh, const Face_grower& grower,
 inline bool departs_gradually(const Tessellation& mesh, const Fitted_surface<>& s,
                               Surface::Index face, Surface::Index v, Surface::Index w)
 {
-  constexpr double much_less = 0.7, along_tube = 0.02;
-  if (!mesh.has_normal(face) || !has_normal_of(mesh, s, face))
+  constexpr double much_less = 0.7;
+  if (!mesh.has_normal(face) || !mesh.has_normal_of(s, face))
     return false;
   const Double_3 p = mesh.surface.point(v), side = mesh.surface.point(w) - p;
   const Double_3 along = (1 / norm(side)) * side;
@@ -200,11 +200,8 @@ inline bool departs_gradually(const Tessellation& mesh, const Fitted_surface<>& 
   const double apart = std::fabs(distance(foot + perpendicular));
   if (!(norm(tangent) > 0) || apart <= mesh.tolerance())
     return false;
-  const double radius = s.kind == Surface_kind::TORUS ? s.minor_radius : s.radius,
-               of_plane = std::fabs(distance(foot + (height / norm(tangent)) * tangent) -
-                                    distance(foot)),
-               of_tube = std::sqrt(height * height + radius * radius) - radius;
-  return apart < (std::max)(much_less * of_plane, along_tube * of_tube);
+  return apart < much_less *
+                   std::fabs(distance(foot + (height / norm(tangent)) * tangent) - distance(foot));
 }
 
 /// The share of the border where the mesh leaves the surface little by little to faces that
