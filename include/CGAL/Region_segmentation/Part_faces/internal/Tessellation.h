@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_PART_FACES_INTERNAL_TESSELLATION_H
 
 #include <CGAL/Region_segmentation/Graph/Region_shapes.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/Face_set.h>
 #include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/internal/arrays.h>
@@ -137,16 +138,11 @@ public:
   /// Whether two adjacent faces may be facets of one curved face. Others meet at a crease, which no
   /// face crosses.
   bool is_smooth(Index f, Index g) const { return meet_within(smooth_angle, f, g); }
-  /// Whether a face, or its facet where its own normal tells nothing, is tangent to a surface of
-  /// that normal within an angle; with that of its normal at most .3.
+  /// Whether the facet of a face is tangent to a surface of that normal, within an angle.
   bool is_tangent(Index f, const Double_3& normal, double angle) const
   {
-    constexpr double most = 0.3;
-    return has_normal(f) ? dot(surface.normal(f), normal) >
-                             std::cos((std::min)(angle + m_angle_errors[f] / 2, most))
-                         : dot(m_facets[m_facet_of[f]].plane.direction, normal) > std::cos(angle);
+    return dot(m_facets[m_facet_of[f]].plane.direction, normal) > std::cos(angle);
   }
-
   /// Whether the vertices of a face are within the tolerance of a surface.
   bool has_vertices_on(const Fitted_surface<>& s, Index face) const
   {
@@ -201,55 +197,51 @@ private:
     std::iota(m_by_area.begin(), m_by_area.end(), Index(0));
     std::stable_sort(m_by_area.begin(), m_by_area.end(),
                      [&](Index a, Index b) { return surface.area(a) > surface.area(b); });
-    std::vector<Index> last_facet(surface.number_of_vertices(), none), // that has the vertex
-      faces;
+    Face_set faces(surface);
     for (const Index seed : m_by_area)
-      if (m_facet_of[seed] == none)
-        m_facets.push_back(grow_facet(seed, last_facet, faces));
+      if (m_facet_of[seed] == none) {
+        m_facets.push_back(grow_facet(faces, seed));
+        for (const Index f : faces.faces())
+          m_facet_of[f] = Index(m_facets.size() - 1);
+      }
     m_faces = Grouped_items<Index>(m_facets.size(), [&](const auto& add) {
       for (Index f = 0; f < m_facet_of.size(); ++f)
         add(m_facet_of[f], f);
     });
   }
 
-  Facet grow_facet(Index seed, std::vector<Index>& last_facet, std::vector<Index>& faces)
+  /// Grows from a seed over faces that no facet has. `faces`: those of the facet
+  Facet grow_facet(Face_set& faces, Index seed) const
   {
-    const Index id = Index(m_facets.size());
+    constexpr std::size_t few_points = 12;
+    constexpr double growth = 1.25;
     Facet facet{surface_of_kind(Surface_kind::PLANE, surface.centroid(seed), surface.normal(seed))};
-    Second_moments points; // relative to the center of the seed
-    double fitted_points = 0;
-    const auto take = [&](Index f) {
-      m_facet_of[f] = id;
-      faces.push_back(f);
-      for (const Index v : surface.corners(f))
-        if (last_facet[v] != id) {
-          last_facet[v] = id;
-          points.add(1, surface.point(v) - surface.centroid(seed));
-        }
-    };
+    std::size_t fitted = 0; // points
     const auto fit = [&] {
-      const Double_3 normal = eigenvectors(points.covariance())[0];
-      facet.plane.point = surface.centroid(seed) + points.centroid();
+      Second_moments moments;
+      for (const Double_3& p : faces.points())
+        moments.add(1, p - surface.centroid(seed));
+      const Double_3 normal = eigenvectors(moments.covariance())[0];
+      facet.plane.point = surface.centroid(seed) + moments.centroid();
       facet.plane.direction = dot(normal, facet.plane.direction) < 0 ? -1.0 * normal : normal;
-      fitted_points = points.weight;
+      fitted = faces.points().size();
     };
     faces.clear();
-    take(seed);
-    for (std::size_t next = 0; has_normal(seed) && next < faces.size(); ++next)
-      for_each_neighbor(surface, faces[next], [&](Index other, Index, Index) {
-        if (m_facet_of[other] != none || !lies_on(facet.plane, other))
+    faces.add(seed);
+    for (std::size_t next = 0; has_normal(seed) && next < faces.faces().size(); ++next)
+      for_each_neighbor(surface, faces.faces()[next], [&](Index other, Index, Index) {
+        if (m_facet_of[other] != none || faces.has(other) || !lies_on(facet.plane, other))
           return;
-        take(other);
-        if (points.weight < 12 || points.weight >= 1.25 * fitted_points)
+        faces.add(other);
+        if (fitted < few_points || double(faces.points().size()) >= growth * double(fitted))
           fit();
       });
     fit();
-    for (const Index f : faces) {
-      facet.area += surface.area(f);
+    for (const Index f : faces.faces())
       facet.center = facet.center + surface.area(f) * surface.centroid(f);
-    }
+    facet.area = faces.area();
     facet.center = facet.area > 0 ? (1 / facet.area) * facet.center : facet.plane.point;
-    facet.number_of_vertices = std::size_t(points.weight);
+    facet.number_of_vertices = faces.points().size();
     return facet;
   }
 

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -56,32 +55,19 @@ inline Surface::Index nearest_label(const Face_search& search, Surface::Index fa
   return best;
 }
 
-/// Faces at borders that `may_go(face)` go to the neighboring surface from which they deviate
-/// least.
-template <typename MayGo>
-void compete_at_borders(Face_search& search, const MayGo& may_go)
+/// Faces go to the neighboring surface from which they deviate least.
+inline void compete_at_borders(Face_search& search)
 {
   constexpr int rounds = 8;
   bool is_changed = true;
   for (int round = 0; round < rounds && is_changed; ++round) {
     is_changed = false;
     for (Surface::Index f = 0; f < search.labels.size(); ++f) {
-      const Surface::Index best = may_go(f) ? nearest_label(search, f) : search.labels[f];
+      const Surface::Index best = nearest_label(search, f);
       is_changed = is_changed || best != search.labels[f];
       search.labels[f] = best;
     }
   }
-}
-
-/// Faces that are not found, in facets of which others are, go to the surfaces beside them.
-inline void join_rests_of_facets(Face_search& search)
-{
-  std::vector<std::uint8_t> has_found(search.mesh.number_of_facets(), 0);
-  for (Surface::Index f = 0; f < search.labels.size(); ++f)
-    has_found[search.mesh.facet_of(f)] |= std::uint8_t(search.is_found(f));
-  compete_at_borders(search, [&](Surface::Index f) {
-    return !search.is_found(f) && has_found[search.mesh.facet_of(f)];
-  });
 }
 
 /// Gives faces without area that no side has a face across, as copies of others, the label of the
@@ -142,9 +128,8 @@ inline void find_labels(Face_search& search, const Execution& execution)
   find_curved_faces(search, execution.step(0, 0.8));
   Equal_surfaces(search).merge();
   drop_osculating_surfaces(search);
-  join_rests_of_facets(search);
   add_planes(search);
-  compete_at_borders(search, [](Surface::Index) { return true; });
+  compete_at_borders(search);
   Equal_surfaces(search).merge();
   separate_components(search, execution.step(0.8, 1));
 }
