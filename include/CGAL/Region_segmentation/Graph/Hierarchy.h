@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -92,8 +93,8 @@ public:
 
 namespace internal {
 
-/// The hierarchy of regions whose faces were moved between them: `region_of` gives the region of
-/// each face by the numbers of `tree`. Merges of a region without faces are left out.
+/// The hierarchy of regions to which faces were moved: `region_of` gives the region of each face by
+/// the numbers of `tree`. Merges of a region without faces are left out.
 inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
                                       const Merge_tree& tree, std::size_t number_of_segments)
 {
