@@ -82,7 +82,12 @@ std::map<std::string, Hollow> hollow_shapes(unsigned seed)
   const auto void_of = [&](double radius) { return reversed(ball_of(radius)); };
   const Soup ring = triangulated(torus(24, 12, 0.8)), tube = triangulated(torus(18, 8, 0.5));
   const Soup bar = triangulated(translated(block(8, 3, 3), -4, -1.5, -1.5));
+  const Soup spiked = mapped(void_of(1.5), [](const Point& p) {
+    const double factor = p[0] < -1.49 ? 1.6 : 1;
+    return Point{factor * p[0], p[1], p[2]};
+  });
   return {{"ball", Hollow({ball_of(2), void_of(1.5)}, {none, 0}, seed)},
+          {"void that pierces the wall", Hollow({ball_of(2), spiked}, {none, 0}, seed)},
           {"ring", Hollow({reversed(tube), ring}, {1, none}, seed)},
           {"bar with two voids",
            Hollow({bar, translated(void_of(1), -2.3, 0, 0.1), translated(void_of(1.2), 2, 0, 0)},
