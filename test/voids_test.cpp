@@ -293,27 +293,21 @@ TEST(Voids_test, take_seeds_to_the_faces_around_them)
                        "are at one place of the wall of a void"));
 }
 
-TEST(Voids_test, have_no_constraints)
+TEST(Voids_test, with_constrained_edges_have_segments_of_their_own)
 {
   const Hollow hollow = hollow_shapes(5).at("ring");
-  const Surface_mesh mesh = to_surface_mesh(hollow.soup), solid = to_surface_mesh(hollow.solid());
-  std::mt19937 random(5);
-  const std::set<Edge> of_solid = random_edges(hollow.solid(), 8, random);
-  std::set<Edge> all = random_edges(hollow.soup, 8, random);
-  for (std::size_t f = 0; f < hollow.component.size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!hollow.is_void(f))
-        all.erase(make_edge(hollow.soup.polygons[f][i], hollow.soup.polygons[f][(i + 1) % 3]));
-  EXPECT_FALSE(all.empty());
-  all.insert(of_solid.begin(), of_solid.end());
-  const auto np = RS::parameters::number_of_segments(5);
-  const Labels labels = segments_of(mesh, np.edge_is_constrained_map(edge_map(mesh, all)));
-  Labels kept;
-  for (std::size_t f = 0; f < labels.size(); ++f)
-    if (!hollow.is_void(f))
-      kept.push_back(labels[f]);
-  EXPECT_EQ(renumbered(kept),
-            segments_of(solid, np.edge_is_constrained_map(edge_map(solid, of_solid))));
+  const Surface_mesh mesh = to_surface_mesh(hollow.soup);
+  std::set<Edge> of_void; // all edges of one face
+  std::size_t face = 0;
+  while (!hollow.is_void(face))
+    ++face;
+  for (std::size_t i = 0; i < 3; ++i)
+    of_void.insert(
+      make_edge(hollow.soup.polygons[face][i], hollow.soup.polygons[face][(i + 1) % 3]));
+  const Labels labels = segments_of(
+    mesh, RS::parameters::number_of_segments(3).edge_is_constrained_map(edge_map(mesh, of_void)));
+  EXPECT_TRUE(separates(hollow.soup, of_void, labels, labels));
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), labels[face]), 1);
 }
 
 TEST(Voids_test, are_components_without_links)

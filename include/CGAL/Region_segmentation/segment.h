@@ -51,7 +51,7 @@ namespace Region_segmentation {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{edges that always are borders and are never merged across, also where
-///       they end inside a surface and separate nothing; but not edges of voids}
+///       they end inside a surface and separate nothing}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the edge descriptor as key type and a
 ///       value type convertible to `bool`}
 ///     \cgalParamDefault{no edge}

@@ -129,14 +129,18 @@ struct Filled_surface
   std::vector<Surface::Index> faces;
 };
 
-/// The surface without its voids: what is read of a mesh without their faces. O(F), and that of the
-/// links if there are bodies apart.
+/// The surface without its voids, but those with constrained edges: what is read of a mesh without
+/// their faces. O(F), and that of the links if there are bodies apart.
 inline Filled_surface fill_voids(const Surface& surface, const Execution& execution)
 {
   using Index = Surface::Index;
-  std::vector<bool> is_removed;
+  std::vector<bool> is_constrained(surface.number_of_components()), is_removed;
+  for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a)
+    if (surface.has_flag(a, Surface::CONSTRAINED))
+      is_constrained[surface.components()[surface.lower_face(a)]] = true;
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    is_removed.push_back(surface.body_around(f) != Surface::none);
+    is_removed.push_back(surface.body_around(f) != Surface::none &&
+                         !is_constrained[surface.components()[f]]);
   Surface_builder builder(surface);
   Filled_surface result{Surface(), builder.remove_faces(is_removed)};
   builder.link_components(execution);
@@ -144,7 +148,8 @@ inline Filled_surface fill_voids(const Surface& surface, const Execution& execut
   for (std::size_t a = 0; a < surface.number_of_adjacencies(); ++a) {
     const Index lower = surface.lower_face(a), higher = surface.higher_face(a);
     for (const auto& [f, g] : {std::pair(lower, higher), std::pair(higher, lower)})
-      if (surface.has_flag(a, Surface::LINK) && surface.body_around(f) == surface.components()[g])
+      if (is_removed[f] && surface.has_flag(a, Surface::LINK) &&
+          surface.body_around(f) == surface.components()[g])
         result.faces[f] = result.faces[g];
   }
   return result;
