@@ -4,6 +4,7 @@
 #include "segments.h"
 
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
+#include <CGAL/region_segmentation.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
@@ -209,6 +210,22 @@ TEST(Close_segments_test, three_segments_share_an_inner_curve)
   expect_fitting(soup, solids);
   for (const Soup& third : solids.soups)
     EXPECT_FALSE(CGAL::Polygon_mesh_processing::does_self_intersect(to_surface_mesh(third)));
+}
+
+/// Two lobes with a thin wall, and each of them alone.
+TEST(Close_segments_test, segments_of_a_hollow_mesh_are_hollow)
+{
+  const Soup outer = mapped(triangulated(sphere(4)), [](const Point& p) {
+    const double waist = 1 - 0.7 * std::exp(-9 * p[0] * p[0]);
+    return Point{3 * p[0], waist * p[1], waist * p[2]};
+  });
+  const Soup inner = reversed(scaled(outer, 0.8)), soup = joined(outer, inner);
+  const Labels labels = segments_of(to_surface_mesh(soup), RS::parameters::number_of_segments(2));
+  const Solids solids = close<Surface_mesh>(soup, labels);
+  ASSERT_EQ(solids.soups.size(), 2u);
+  expect_fitting(soup, solids);
+  for (const Soup& half : solids.soups)
+    EXPECT_NEAR(volume(half), volume(soup) / 2, 0.05 * volume(soup));
 }
 
 TEST(Close_segments_test, random_segments_fit)

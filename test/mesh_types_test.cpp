@@ -212,6 +212,18 @@ TYPED_TEST(Mesh_types_test, takes_seeds)
   }
 }
 
+TYPED_TEST(Mesh_types_test, has_voids)
+{
+  const Soup soup = joined(scaled(sphere(3), 2), reversed(translated(sphere(2), 0.3, 0.4, 0.5)));
+  const TypeParam mesh = make<TypeParam>(soup);
+  Options options(4, reference::Convexity::all, 5);
+  expect_default_as_surface_mesh(mesh, options);
+  const auto np = RS::parameters::number_of_segments(4).method(options.method());
+  EXPECT_EQ(segments_of(mesh, np), segments_of(to_surface_mesh(soup_of(mesh)), np));
+  EXPECT_EQ(segments_of(mesh, RS::parameters::number_of_segments(1).method(options.method())),
+            Labels(soup.polygons.size(), 0));
+}
+
 TYPED_TEST(Mesh_types_test, takes_an_empty_mesh)
 {
   const TypeParam mesh;

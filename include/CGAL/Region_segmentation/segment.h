@@ -58,7 +58,8 @@ namespace Region_segmentation {
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_seed_map}
 ///     \cgalParamDescription{faces with equal seeds belong to one segment, faces with different
-///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`}
+///       seeds to different ones; -1 of the value type is no seed; see `Segmenter::set_seeds()`.
+///       The seed of a face that bounds a void is that of the nearest face around it}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the face descriptor as key type and an
 ///       integral value type}
 ///     \cgalParamDefault{no seeds}
@@ -97,17 +98,19 @@ namespace Region_segmentation {
 ///          (also constrained edges that separate nothing, see the manual), or components without
 ///          links, or if a user-defined policy ends before or its cost bars sections; and less if
 ///          the method finds fewer first regions. `Learned_merging` and `Visibility_merging` give k
-///          segments up to the number of faces that are neither degenerate nor given twice
+///          segments up to the number of faces that are neither degenerate nor given twice,
+///          and bound no void
 ///
 /// \pre `number_of_segments` is at least 1; with the checks of \cgal disabled, another number gives
 ///      an unspecified number of segments
 /// \post every segment is connected by edges, seams and links where every first region is
-/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, or the type of a
-///         map does not hold the labels and -1 beside them; Invalid_method if a constant of the
-///         method is not in its range; `Segmentation_cancelled` if the visitor cancels; all maps
-///         are unchanged. What `put()` of a map throws: `segment_map` is written first, in the
-///         order of the faces, then `region_map`, then `merge_tree`; what precedes keeps its final
-///         value, the rest is unchanged
+/// \throws Invalid_input if a point is not finite, equal seeds cannot be joined, different ones are
+///         at one place of the wall of a void, or the type of a map does not hold the labels and -1
+///         beside them; Invalid_method if a constant of the method is not in its range;
+///         `Segmentation_cancelled` if the visitor cancels; all maps are unchanged. What `put()` of
+///         a map throws: `segment_map` is written first, in the order of the faces, then
+///         `region_map`, then `merge_tree`; what precedes keeps its final value, the rest is
+///         unchanged
 ///
 /// Complexity: that of its parts; O(F log F) in practice for `Learned_merging`, O(F + R log R +
 /// k^2) expected for `Two_step`. Deterministic: identical results from every mesh type. Concurrent

@@ -6,6 +6,7 @@
 #include <CGAL/Region_segmentation/Graph/Merge_tree.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -90,6 +91,30 @@ public:
   using Hierarchy::Hierarchy;
 };
 
+namespace internal {
+
+/// The hierarchy of regions to which faces were moved: `region_of` gives the region of each face by
+/// the numbers of `tree`. Merges of a region without faces are left out.
+inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
+                                      const Merge_tree& tree, std::size_t number_of_segments)
+{
+  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
+  Partition regions = Partition::from_labels(region_of);
+  // By former number: the lowest of the new numbers in the segment of a region.
+  std::vector<Partition::Index> numbers(tree.number_of_regions(), none);
+  for (std::size_t f = 0; f < region_of.size(); ++f)
+    numbers[region_of[f]] = regions[f];
+  Merge_tree renumbered(regions.number_of_parts());
+  for (const Merge_tree::Merge& merge : tree.merges()) {
+    const auto [kept, removed] = std::minmax({numbers[merge.kept], numbers[merge.removed]});
+    if (removed != none)
+      renumbered.push_back({kept, removed, merge.cost});
+    numbers[merge.kept] = kept;
+  }
+  return Hierarchy(std::move(regions), std::move(renumbered), number_of_segments);
+}
+
+} // namespace internal
 } // namespace Region_segmentation
 } // namespace CGAL
 

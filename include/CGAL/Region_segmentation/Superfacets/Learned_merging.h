@@ -248,6 +248,8 @@ struct Learned_merging
                     Lowest_cost_first<Learned_cost>>,
       Number_from_expected_costs>
 {
+  static constexpr bool fills_voids = true; ///< see `SegmentationMethod`
+
   /// The number of regions from which on the learned model merges, which it was trained for, and
   /// the largest number of segments that is chosen.
   static constexpr std::size_t most_learned_regions = 60;

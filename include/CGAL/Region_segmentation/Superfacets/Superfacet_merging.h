@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -32,27 +31,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// The hierarchy of regions whose faces were moved between them: `region_of` gives the region of
-/// each face by the numbers of `tree`. Merges of a region without faces are left out.
-inline Hierarchy renumbered_hierarchy(const std::vector<Partition::Index>& region_of,
-                                      const Merge_tree& tree, std::size_t number_of_segments)
-{
-  constexpr Partition::Index none = (std::numeric_limits<Partition::Index>::max)();
-  Partition regions = Partition::from_labels(region_of);
-  // By former number: the lowest of the new numbers in the segment of a region.
-  std::vector<Partition::Index> numbers(tree.number_of_regions(), none);
-  for (std::size_t f = 0; f < region_of.size(); ++f)
-    numbers[region_of[f]] = regions[f];
-  Merge_tree renumbered(regions.number_of_parts());
-  for (const Merge_tree::Merge& merge : tree.merges()) {
-    const auto [kept, removed] = std::minmax({numbers[merge.kept], numbers[merge.removed]});
-    if (removed != none)
-      renumbered.push_back({kept, removed, merge.cost});
-    numbers[merge.kept] = kept;
-  }
-  return Hierarchy(std::move(regions), std::move(renumbered), number_of_segments);
-}
 
 /// The sum of the squared weights of the intersections of the parts of two partitions.
 inline std::int64_t squared_intersections(const Partition& a, const Partition& b,

@@ -322,6 +322,8 @@ struct Visibility_merging
       Policy_phases<Lowest_cost_first<Visibility_cost>, Lowest_cost_first<Visibility_cost>>,
       Number_from_costs>
 {
+  static constexpr bool fills_voids = true; ///< see `SegmentationMethod`
+
   /// The level of `Number_from_costs` for the constants of `Visibility_cost()`.
   static constexpr double default_level = -19.5;
 

@@ -126,6 +126,13 @@ public:
   {
     return std::size_t(std::count(m_crumbs.begin(), m_crumbs.end(), true));
   }
+  bool has_voids() const { return !m_bodies.empty(); }
+  /// The component around the void that a face bounds, see `make_surface()`; `none`, if it bounds
+  /// no void or components are not linked.
+  Index body_around(std::size_t face) const
+  {
+    return m_bodies.empty() ? none : m_bodies[m_component_of[face]];
+  }
   /// The area of a face; but 0 for a face of a crumb, so that crumbs do not change how the rest is
   /// segmented.
   double weight(std::size_t face) const { return is_crumb(face) ? 0 : m_areas[face]; }
@@ -226,8 +233,10 @@ protected:                                                       // is written b
   Large_array<Index> m_adjacencies_in_mesh; // the same in the order of the mesh, or empty
   std::vector<Index> m_merged_vertices; // by vertex: that which stands for it; empty: each itself
   std::size_t m_number_apart = 0;
-  Partition m_component_of;   // 4 bytes a face
-  std::vector<bool> m_crumbs; // by component: whether it is a crumb; empty: none is
+  Partition m_component_of;    // 4 bytes a face
+  std::vector<bool> m_crumbs;  // by component: whether it is a crumb; empty: none is
+  std::vector<Index> m_bodies; // by component: that whose void it bounds, or `none`; empty: no
+                               // voids
   double m_unit = 1, m_area = 0;
   bool m_has_seams_or_links = false;
 };

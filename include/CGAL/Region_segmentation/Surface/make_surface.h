@@ -15,9 +15,11 @@
 #include <CGAL/Region_segmentation/Surface/internal/find_links.h>
 #include <CGAL/Region_segmentation/Surface/internal/orient_faces.h>
 #include <CGAL/Region_segmentation/Surface/internal/sew_sides.h>
+#include <CGAL/Region_segmentation/Surface/internal/voids.h>
 
 #include <CGAL/tags.h>
 
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -44,9 +46,12 @@ Surface build_surface(Builder builder, Adjacent adjacent, const Execution& execu
     builder.orient_faces();
   }
   builder.collect_adjacencies(execution.step(0.3, 0.9));
-  builder.orient_components();
-  if (adjacent == Adjacent::LINKED_COMPONENTS)
-    builder.link_components(execution.step(0.9, 1));
+  const std::optional<Face_tree> tree = builder.orient_components();
+  if (adjacent == Adjacent::LINKED_COMPONENTS) {
+    if (tree)
+      builder.link_voids(*tree, execution.step(0.9, 0.95));
+    builder.link_components(execution.step(0.95, 1));
+  }
   return builder.finish();
 }
 
@@ -144,8 +149,9 @@ Surface make_surface_of_polygon_soup(const PointRange& points, const PolygonRang
 /// shortest border edge at them. `Surface::number_of_vertices_apart_by_rounding()` counts these.
 ///
 /// An outermost closed component of negative signed volume is inside out: it is turned, together
-/// with the closed components inside it. A closed one of negative volume inside another one bounds
-/// a void, and stays. Open components are read as they are.
+/// with the closed components inside it. A closed one of negative volume inside another one, its
+/// *body*, bounds a *void*, and stays; if components are linked, each of its faces has a link to
+/// the nearest face of the body. Open components are read as they are.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, with TBB, `Parallel_tag`
 /// \tparam FaceGraph a model of `FaceListGraph`, `HalfedgeListGraph` and `VertexListGraph`; also of

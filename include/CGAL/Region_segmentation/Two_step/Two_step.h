@@ -34,6 +34,8 @@ namespace Region_segmentation {
 /// Source: \cgalCite{YZWLL14}, section 3.
 struct Two_step
 {
+  static constexpr bool fills_voids = true; ///< see `SegmentationMethod`
+
   /// The deviation above which an edge is a feature edge, in degrees, in [0, 180].
   double maximum_angle = default_maximum_angle;
   /// Which edges can be feature edges.

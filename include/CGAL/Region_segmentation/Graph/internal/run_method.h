@@ -11,13 +11,16 @@
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Support/version.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/voids.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Region_segmentation {
@@ -38,6 +41,10 @@ constexpr bool needs_number()
   return std::is_base_of<Segmentation, Merged_by<Method>>::value;
 }
 
+/// The constant of a method that segments surfaces without their voids.
+template <typename Method>
+using Fills_voids = std::enable_if_t<Method::fills_voids>;
+
 template <typename Method>
 using Is_method = std::enable_if_t<std::is_base_of<Hierarchy, Merged_by<Method>>::value>;
 
@@ -53,12 +60,36 @@ constexpr bool check_method()
   return true;
 }
 
+/// The request for a surface whose voids are filled. The seed of a face of a void is that of the
+/// face of the filled surface.
+/// \throws Invalid_input if two seeds would be that of the same face
+inline Request request_of_filled(Request request, const Filled_surface& filled)
+{
+  if (request.seeds.empty())
+    return request;
+  std::vector<Seeds::Index> seeds(filled.surface.number_of_faces(), Seeds::none);
+  for (std::size_t f = 0; f < filled.faces.size(); ++f)
+    if (const Seeds::Index seed = request.seeds.of[f]; seed != Seeds::none) {
+      const Seeds::Index other = std::exchange(seeds[filled.faces[f]], seed);
+      if (other != Seeds::none && other != seed)
+        throw Invalid_input("the seeds " + std::to_string(request.seeds.values[other]) + " and " +
+                            std::to_string(request.seeds.values[seed]) +
+                            " are at one place of the wall of a void");
+    }
+  request.seeds.of = std::move(seeds);
+  return request;
+}
+
 /// The calls of a method. Members are defined outside of the class and are not inline, so that
 /// `extern template` keeps them out of a translation unit (see `version.h`).
 template <typename Method>
 struct Method_calls
 {
-  using Prepared = Prepared_by<Method>;
+  struct Prepared
+  {
+    std::shared_ptr<const Filled_surface> filled; ///< what the method is given; null: the surface
+    Prepared_by<Method> by_method;
+  };
   using Merged = Merged_by<Method>;
 
   /// `number`: the number of segments that was given; 0: none
@@ -71,10 +102,16 @@ struct Method_calls
 };
 
 template <typename Method>
-Prepared_by<Method> Method_calls<Method>::prepare(const Method& method, const Surface& surface,
-                                                  std::size_t number, const Execution& execution)
+typename Method_calls<Method>::Prepared
+Method_calls<Method>::prepare(const Method& method, const Surface& surface, std::size_t number,
+                              const Execution& execution)
 {
-  return method.prepare(surface, number, execution);
+  std::shared_ptr<const Filled_surface> filled;
+  if constexpr (satisfies<Fills_voids, Method>)
+    if (surface.has_voids())
+      filled = std::make_shared<const Filled_surface>(
+        fill_voids(surface, execution.stage("regions").step(0, 0)));
+  return {filled, method.prepare(filled ? filled->surface : surface, number, execution)};
 }
 
 template <typename Method>
@@ -82,14 +119,24 @@ Merged_by<Method> Method_calls<Method>::merge(const Method& method, const Surfac
                                               const Prepared& prepared, const Request& request,
                                               const Execution& execution)
 {
-  Merged result = method.merge(surface, prepared, request, execution);
+  const auto& filled = prepared.filled;
+  const Surface& seen = filled ? filled->surface : surface;
+  Merged result = method.merge(seen, prepared.by_method,
+                               filled ? request_of_filled(request, *filled) : request, execution);
   const Partition& regions = result.regions();
   const std::size_t number_of_regions = result.merge_tree().number_of_regions();
-  check_regions(regions, surface.number_of_faces());
+  check_regions(regions, seen.number_of_faces());
   if (regions.number_of_parts() != number_of_regions)
     throw Invalid_method("merge() of the SegmentationMethod returns " +
                          std::to_string(regions.number_of_parts()) + " regions, and merges " +
                          std::to_string(number_of_regions));
+  if (!filled)
+    return result;
+  std::vector<Partition::Index> region_of;
+  for (const Surface::Index f : filled->faces)
+    region_of.push_back(regions[f]);
+  static_cast<Hierarchy&>(result) = renumbered_hierarchy(region_of, result.merge_tree(),
+                                                         result.number_of_segments());
   return result;
 }
 

@@ -338,12 +338,13 @@ public:
 
   /// The face that the triangle of a leaf is a part of.
   Index face(Index leaf) const { return m_triangles[m_tree.item(leaf)].face; }
+  /// (It is not turned with its face.)
   Triangle triangle(Index leaf) const { return triangle(m_triangles[m_tree.item(leaf)]); }
 
 private:
   struct Fan_triangle
   {
-    Index face, second_corner;
+    Index face, second, third; // vertices
   };
 
   static std::vector<Fan_triangle> fan_triangles(const Surface& surface)
@@ -351,18 +352,16 @@ private:
     std::vector<Fan_triangle> result;
     result.reserve(surface.number_of_faces());
     for (Index f = 0; f < surface.number_of_faces(); ++f)
-      for (std::size_t i = 1; i == 1 || i + 1 < surface.number_of_corners(f); ++i)
-        result.push_back({f, Index(i)});
+      for (std::size_t i = 1, last = surface.number_of_corners(f) - 1; i == 1 || i < last; ++i)
+        result.push_back(
+          {f, surface.corner(f, (std::min)(i, last)), surface.corner(f, (std::min)(i + 1, last))});
     return result;
   }
 
   Triangle triangle(const Fan_triangle& t) const
   {
-    const auto point = [&](std::size_t i) {
-      const std::size_t last = m_surface.number_of_corners(t.face) - 1;
-      return m_surface.point(m_surface.corner(t.face, (std::min)(i, last)));
-    };
-    return {point(0), point(t.second_corner), point(t.second_corner + 1)};
+    return {m_surface.point(m_surface.corner(t.face, 0)), m_surface.point(t.second),
+            m_surface.point(t.third)};
   }
 
   const Surface& m_surface;

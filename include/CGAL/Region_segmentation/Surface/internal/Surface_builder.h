@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Support/Large_array.h>
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
 #include <CGAL/Region_segmentation/Surface/internal/Mesh_order.h>
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
@@ -20,6 +21,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -134,10 +136,15 @@ public:
   void set_signs();
   void mark_constraints(std::vector<Vertex_pair> pairs);
   void join_degenerate_faces();
+  std::vector<Index> remove_faces(const std::vector<bool>& is_removed);
   /// @}
 
-  /// Turns closed components that are inside out, in orient_faces.h.
-  void orient_components();
+  /// Turns closed components that are inside out, in orient_faces.h. Returns the tree of the faces
+  /// if there were some of negative volume.
+  std::optional<Face_tree> orient_components();
+
+  /// Finds voids, and links their faces with the bodies around them, in voids.h.
+  void link_voids(const Face_tree& tree, const Execution& execution);
 
   /// Links components and marks crumbs, in find_links.h.
   void link_components(const Execution& execution);

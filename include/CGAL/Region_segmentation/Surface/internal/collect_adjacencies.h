@@ -213,6 +213,69 @@ inline void Surface_builder::join_degenerate_faces()
     m_flags[a] = JOINING;
 }
 
+/// The new numbers of the items that stay, in their order; `Surface::none` of the others.
+template <typename Stays>
+std::vector<Surface::Index> number_what_stays(std::size_t size, const Stays& stays)
+{
+  std::vector<Surface::Index> result;
+  Surface::Index number = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    result.push_back(stays(i) ? number++ : Surface::none);
+  return result;
+}
+
+/// Removes the items of an array without a new number.
+template <typename Array>
+void keep_what_stays(Array& array, const std::vector<Surface::Index>& numbers)
+{
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers[i] != Surface::none)
+      array[size++] = array[i];
+  array.resize(size);
+}
+
+/// Removes faces and all links; the vertices stay. Returns the new numbers of the faces.
+inline std::vector<Surface::Index>
+Surface_builder::remove_faces(const std::vector<bool>& is_removed)
+{
+  const auto new_faces = number_what_stays(is_removed.size(),
+                                           [&](std::size_t f) { return !is_removed[f]; });
+  const auto new_adjacencies = number_what_stays(number_of_adjacencies(), [&](std::size_t a) {
+    return !is_removed[lower_face(a)] && !is_removed[higher_face(a)] && !has_flag(a, LINK);
+  });
+  std::vector<Index> new_corners;
+  Large_array<Index> first_corners(1, 0);
+  for (std::size_t f = 0; f < is_removed.size(); ++f) {
+    const Index begin = first_corners.back();
+    for (Index i = 0; i < number_of_corners(f); ++i)
+      new_corners.push_back(is_removed[f] ? none : begin + i);
+    if (!is_removed[f])
+      first_corners.push_back(begin + Index(number_of_corners(f)));
+  }
+  m_first_corners = std::move(first_corners);
+  keep_what_stays(m_normals, new_faces);
+  keep_what_stays(m_areas, new_faces);
+  keep_what_stays(m_corners, new_corners);
+  keep_what_stays(m_adjacencies, new_corners);
+  for (Index& a : m_adjacencies)
+    a = a == none ? none : new_adjacencies[a];
+  for (Large_array<Index>* faces : {&m_lower_faces, &m_higher_faces}) {
+    keep_what_stays(*faces, new_adjacencies);
+    for (Index& f : *faces)
+      f = new_faces[f];
+  }
+  keep_what_stays(m_squared_lengths, new_adjacencies);
+  keep_what_stays(m_flags, new_adjacencies);
+  m_adjacencies_in_mesh.clear();
+  m_crumbs.clear();
+  m_bodies.clear();
+  m_has_seams_or_links = std::any_of(m_flags.begin(), m_flags.end(),
+                                     [](std::uint8_t flags) { return (flags & SEAM) != 0; });
+  m_component_of = label_components(*this, m_flags.data(), SEAM | LINK, Execution());
+  return new_faces;
+}
+
 /// Sets the signs of all angles by the normals. A seam has a sign if the boundaries of its faces
 /// run along it in opposite directions.
 inline void Surface_builder::set_signs()

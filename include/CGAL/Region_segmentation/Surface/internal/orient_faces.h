@@ -4,15 +4,18 @@
 #define CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_ORIENT_FACES_H
 
 #include <CGAL/Region_segmentation/Support/Partition.h>
+#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
 #include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -87,56 +90,6 @@ inline bool is_above_point(const Triangle& t, const Double_3& at)
   return n.z != 0 && t[0].z - (n.x * d.x + n.y * d.y) / n.z > at.z;
 }
 
-/// For each component the outermost closed component in which it lies; the component itself if
-/// there is none or if it is open. A component lies in another one if its box is in that of the
-/// other, smaller, and an odd number of faces of the other are above its lowest vertex. O(F log F)
-/// in practice.
-inline std::vector<Surface::Index> find_outermost(const Surface& surface,
-                                                  const Partition& component_of,
-                                                  const std::vector<bool>& is_closed)
-{
-  using Index = Surface::Index;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Axis_box> boxes(is_closed.size()); // relative to the origin of the tree
-  std::vector<Double_3> lowest(is_closed.size(), {infinity, infinity, infinity});
-  const Face_tree tree(surface);
-  const auto component = [&](Index leaf) { return component_of[tree.face(leaf)]; };
-  for (Index f = 0; f < component_of.size(); ++f)
-    for (const Index v : surface.corners(f)) {
-      const Index c = component_of[f];
-      boxes[c].add(box_of(std::array{surface.point(v) - tree.origin()}));
-      lowest[c] = (std::min)(lowest[c], surface.point(v), is_lower);
-    }
-  const auto is_in_box_of = [&](Index c, Index d) {
-    Axis_box both = boxes[d];
-    both.add(boxes[c]);
-    const auto is_both = [&](const Axis_box& b) {
-      return both.low == b.low && both.high == b.high;
-    };
-    return is_both(boxes[d]) && !is_both(boxes[c]);
-  };
-  std::vector<Index> result;
-  for (Index c = 0; c < is_closed.size(); ++c) {
-    result.push_back(c);
-    if (!is_closed[c])
-      continue;
-    Axis_box above = box_of(std::array{lowest[c] - tree.origin()});
-    above.high[2] = std::numeric_limits<float>::infinity();
-    std::map<Index, bool> contains; // by component: whether the number of its faces above is odd
-    tree.boxes().search([&](Index node) { return squared_gap(tree.boxes().box(node), above); },
-                        (std::numeric_limits<double>::min)(),
-                        [&](Index leaf) {
-                          const Index d = component(leaf);
-                          if (is_closed[d] && is_in_box_of(c, d))
-                            contains[d] ^= is_above_point(tree.triangle(leaf), lowest[c]);
-                        });
-    for (const auto& [d, is_inside] : contains)
-      if (is_inside && is_in_box_of(result[c], d))
-        result[c] = d;
-  }
-  return result;
-}
-
 /// The sums over a component that tell whether it is closed, and how it is oriented.
 struct Component_volume
 {
@@ -151,6 +104,7 @@ struct Component_volume
     constexpr double largest_gap = 1e-9;
     return !has_border && (!has_seam || norm(area_vector) <= largest_gap * area);
   }
+  bool is_inside_out() const { return is_closed() && volume < 0; }
 };
 
 /// The volumes of the components, relative to the first point, so that nothing cancels far from the
@@ -180,25 +134,91 @@ inline std::vector<Component_volume> component_volumes(const Surface& surface)
   return components;
 }
 
+/// For each component the innermost and the outermost closed component around it; the component
+/// itself, if there is none or it is open.
+struct Components_around
+{
+  std::vector<Surface::Index> innermost, outermost;
+};
+
+/// The closed components with an odd number of faces above a point: those around it.
+inline std::vector<Surface::Index>
+components_around_point(const Double_3& p, const Surface& surface, const Face_tree& tree,
+                        const std::vector<Component_volume>& volumes)
+{
+  using Index = Surface::Index;
+  Axis_box above = box_of(std::array{p - tree.origin()});
+  above.high[2] = std::numeric_limits<float>::infinity();
+  std::map<Index, bool> is_around; // by component
+  tree.boxes().search([&](Index node) { return squared_gap(tree.boxes().box(node), above); },
+                      (std::numeric_limits<double>::min)(),
+                      [&](Index leaf) {
+                        is_around[surface.components()[tree.face(leaf)]] ^= is_above_point(
+                          tree.triangle(leaf), p);
+                      });
+  std::vector<Index> result;
+  for (const auto& [c, is_odd] : is_around)
+    if (is_odd && volumes[c].is_closed())
+      result.push_back(c);
+  return result;
+}
+
+/// A closed component lies in another one of larger volume if at least half of its faces do. So an
+/// inner wall may cross the outer one in places. At most some hundred faces are asked for, by their
+/// centroids. O(F log F) in practice.
+///
+/// `tree`: of the surface; `volumes`: by component
+inline Components_around find_components_around(const Surface& surface, const Face_tree& tree,
+                                                const std::vector<Component_volume>& volumes)
+{
+  using Index = Surface::Index;
+  constexpr std::ptrdiff_t enough = 100; // faces
+  const Grouped_items<Index> faces(volumes.size(), [&](const auto& add) {
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      add(surface.components()[f], f);
+  });
+  Components_around result;
+  for (Index c = 0; c < volumes.size(); ++c) {
+    Index &inner = result.innermost.emplace_back(c), &outer = result.outermost.emplace_back(c);
+    if (!volumes[c].is_closed())
+      continue;
+    std::map<Index, std::size_t> numbers; // of faces, by component around them
+    const auto [first, past] = faces[c];
+    const std::ptrdiff_t step = (past - first) / enough + 1;
+    std::size_t asked = 0;
+    for (const Index* f = first; f < past; f += step, ++asked)
+      for (const Index d : components_around_point(surface.centroid(*f), surface, tree, volumes))
+        ++numbers[d];
+    const auto is_larger = [&](Index d, Index e) {
+      return std::abs(volumes[d].volume) > std::abs(volumes[e].volume);
+    };
+    for (const auto& [d, number] : numbers)
+      if (2 * number >= asked && is_larger(d, c)) {
+        outer = is_larger(d, outer) ? d : outer;
+        inner = inner == c || is_larger(inner, d) ? d : inner;
+      }
+  }
+  return result;
+}
+
 /// Turns the outermost closed components of negative signed volume, together with the closed
 /// components inside them. Sets the signs of all angles, if there are such components or seams.
-inline void Surface_builder::orient_components()
+inline std::optional<Face_tree> Surface_builder::orient_components()
 {
-  std::vector<bool> is_closed, is_inside_out;
-  for (const Component_volume& component : component_volumes(*this)) {
-    is_closed.push_back(component.is_closed());
-    is_inside_out.push_back(component.is_closed() && component.volume < 0);
-  }
-  const bool are_turned = std::find(is_inside_out.begin(), is_inside_out.end(), true) !=
-                          is_inside_out.end();
-  if (are_turned) {
-    const std::vector<Index> outermost = find_outermost(*this, m_component_of, is_closed);
+  std::optional<Face_tree> tree;
+  const std::vector<Component_volume> volumes = component_volumes(*this);
+  if (std::any_of(volumes.begin(), volumes.end(),
+                  [](const auto& v) { return v.is_inside_out(); })) {
+    tree.emplace(*this);
+    const std::vector<Index> outermost = find_components_around(*this, *tree, volumes).outermost;
     for (std::size_t f = 0; f < number_of_faces(); ++f)
-      if (const Index c = m_component_of[f]; is_closed[c] && is_inside_out[outermost[c]])
+      if (const Index c = m_component_of[f];
+          volumes[c].is_closed() && volumes[outermost[c]].is_inside_out())
         turn_face(f);
   }
-  if (are_turned || has_seams_or_links())
+  if (tree || has_seams_or_links())
     set_signs();
+  return tree;
 }
 
 } // namespace internal
