@@ -228,15 +228,18 @@ private:
     };
     faces.clear();
     faces.add(seed);
-    for (std::size_t next = 0; has_normal(seed) && next < faces.faces().size(); ++next)
-      for_each_neighbor(surface, faces.faces()[next], [&](Index other, Index, Index) {
-        if (m_facet_of[other] != none || faces.has(other) || !lies_on(facet.plane, other))
-          return;
-        faces.add(other);
-        if (fitted < few_points || double(faces.points().size()) >= growth * double(fitted))
-          fit();
-      });
     fit();
+    for (std::size_t before = 0; has_normal(seed) && before < faces.faces().size(); fit()) {
+      before = faces.faces().size();
+      for (std::size_t next = 0; next < faces.faces().size(); ++next)
+        for_each_neighbor(surface, faces.faces()[next], [&](Index other, Index, Index) {
+          if (m_facet_of[other] != none || faces.has(other) || !lies_on(facet.plane, other))
+            return;
+          faces.add(other);
+          if (fitted < few_points || double(faces.points().size()) >= growth * double(fitted))
+            fit();
+        });
+    }
     for (const Index f : faces.faces())
       facet.center = facet.center + surface.area(f) * surface.centroid(f);
     facet.area = faces.area();

@@ -164,8 +164,6 @@ inline bool is_evident(const Tessellation& mesh, const Face_grower& grower,
   const int fewest = s.kind == Surface_kind::SPHERE ? 4 : 5;
   const Profile_lines lines(s, grower.points(), mesh.tolerance());
   const int surplus = int(grower.points().size()) - degrees_of_freedom(s.kind);
-  if (is_ruled && lines.number() >= fewest && surplus >= fewest_surplus)
-    return true;
   const Grown_border border = border_of_grown(
     mesh, grower, s, [&](const Double_3& p) { return lines.end(p); }, of_step * lines.step());
   return lines.number() + border.number_of_tangent_ends() >= fewest &&
