@@ -115,9 +115,38 @@ TEST(Whole_shape_test, of_a_cube)
   EXPECT_NEAR(whole.right_angles, 1, 1e-12);
   EXPECT_NEAR(whole.outward, 1, 1e-12);
   EXPECT_EQ(whole.strongly_concave, 0);
+  EXPECT_NEAR(whole.openness, 0, 1e-12);
   // Each face as a triangle of area 1; in units of the square root of 6.
   const double squared_width = (0.25 + 1 / (3 * std::sqrt(3.0))) / 6;
   EXPECT_NEAR(whole.log_filling, -std::log(CGAL_PI * squared_width), 1e-12);
+}
+
+TEST(Whole_shape_test, of_a_sheet)
+{
+  const RS::Whole_shape whole = annotated_soup(grid(2, 1), {0, 1})[0].whole;
+  EXPECT_EQ(whole.openness, 1); // no ray hits
+  EXPECT_NEAR(whole.flatness, 1, 1e-12);
+  EXPECT_NEAR(whole.outward, 0, 1e-12);
+}
+
+TEST(Learned_section_data_test, knows_how_much_of_it_is_a_contact_of_components)
+{
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Soup soup = random_mesh(Family::TWO_COMPONENTS, seed);
+    const RS::Surface mesh = surface_of_soup(soup);
+    std::mt19937 random(seed);
+    const RS::Partition regions = RS::Partition::from_labels(random_regions(soup, 20, random));
+    const Graph graph = annotated<RS::Learned_annotator>(mesh, regions);
+    double expected = 0, sum = 0;
+    for (std::size_t a = 0; a < mesh.number_of_adjacencies(); ++a)
+      if (mesh.has_flag(a, RS::Surface::LINK) &&
+          regions[mesh.lower_face(a)] != regions[mesh.higher_face(a)])
+        expected += mesh.length(a) / mesh.length_unit();
+    for (auto range = edges(graph); range.first != range.second; ++range.first)
+      sum += graph[*range.first].link_length;
+    EXPECT_NEAR(sum, expected, 1e-9);
+  }
 }
 
 TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
@@ -158,6 +187,7 @@ TEST(Learned_annotator_test, data_of_merged_regions_is_that_of_their_union)
               y = fresh[*fresh.section(Region(fresh_regions[f]), Region(fresh_regions[g]))];
             EXPECT_NEAR(x.length, y.length, 1e-9);
             EXPECT_NEAR(x.strongly_concave_length, y.strongly_concave_length, 1e-9);
+            EXPECT_NEAR(x.link_length, y.link_length, 1e-9);
           }
       }
     }

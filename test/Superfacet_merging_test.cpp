@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <set>
@@ -229,6 +230,34 @@ TEST(Learned_merging_test, finds_two_balls_under_noise)
         with_noise(soup, deviation, seed), 2);
       EXPECT_LT(RS::rand_index_distance(labels, truth), 0.06);
     }
+}
+
+TEST(Learned_merging_test, a_sheet_is_one_segment)
+{
+  const auto sheet = [](const std::function<Point(double, double)>& place) {
+    return mapped(triangulated(grid(40, 30)),
+                  [&](const Point& p) { return place(p[0] / 40, p[1] / 30); });
+  };
+  const double pi = std::acos(-1.0);
+  const std::vector<Soup> sheets = {sheet([](double u, double v) {
+                                      return Point{u, v, 0};
+                                    }),
+                                    sheet([](double u, double v) {
+                                      return Point{8 * u, v, 0};
+                                    }),
+                                    sheet([&](double u, double v) { // a disc
+                                      return Point{v * std::cos(6.2 * u), v * std::sin(6.2 * u), 0};
+                                    }),
+                                    sheet([&](double u, double v) { // half a pipe
+                                      return Point{std::cos(pi * u), std::sin(pi * u), 3 * v};
+                                    }),
+                                    sheet([&](double u, double v) { // a hill
+                                      return Point{u, v, 0.2 * std::sin(pi * u) * std::sin(pi * v)};
+                                    })};
+  for (const Soup& soup : sheets)
+    for (const Soup& seen : {soup, reversed(soup)})
+      EXPECT_EQ(Superfacet_merging<RS::Learned_merging>::chosen_number(seen), 1u)
+        << &soup - sheets.data();
 }
 
 TEST(Visibility_merging_test, chooses_the_number_of_balls)

@@ -147,13 +147,17 @@ class Tools_test(unittest.TestCase):
         self.add_figure(2)
         self.add_figure(22)
         header = self.root / "model.h"
-        rows = read(self.run_program("train_merge_cost", "--data", self.data, "--output", header,
-                                     "--folds", "2", "--scores", "--draws", "1").stdout)
+        all_rows = read(self.run_program("train_merge_cost", "--data", self.data, "--output",
+                                         header, "--folds", "2", "--scores", "--draws", "1").stdout)
+        self.assertEqual(sum(row["collection"] == "sheets" and row["way"] == "out of fold" and
+                             row["number"] == "chosen" for row in all_rows), 20)
+        rows = [row for row in all_rows if row["collection"] == "benchmark"]
         self.assertIn("from 2 models of the Princeton Segmentation Benchmark, of its even-numbered "
-                      "half, number 2 to 22.\n", header.read_text())
+                      "half, number 2 to 22, and 20 sheets of the weight 0.2.\n", header.read_text())
         ways = {row["way"] for row in rows}
         self.assertLessEqual({"in sample", "out of fold", "out of fold (draws: 1)",
-                              "out of fold (a tenth of the edges)", "category left out"}, ways)
+                              "out of fold (a tenth of the edges)", "out of fold (closed pieces)",
+                              "category left out"}, ways)
         self.assertEqual(len(rows), len(ways) * 3 * 2 * 2) # numbers, models, people
         for way in ways:
             mean = {number: sum(float(row["rand_index_distance"]) for row in rows

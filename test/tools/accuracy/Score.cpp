@@ -20,10 +20,9 @@ void write_score(std::ostream& out, const Model_source& source, const Model& mod
                  const std::vector<double>& measures)
 {
   out.precision(9);
-  out << segmentation.way << ',' << segmentation.number << ','
-      << (source.is_furniture ? "furniture" : "benchmark") << ',' << source.category << ','
-      << source.name << ',' << model.number_of_segments << ',' << segmentation.number_of_segments
-      << ',' << segmentation.seconds << ',' << person << ','
+  out << segmentation.way << ',' << segmentation.number << ',' << source.collection << ','
+      << source.category << ',' << source.name << ',' << model.number_of_segments << ','
+      << segmentation.number_of_segments << ',' << segmentation.seconds << ',' << person << ','
       << model.people[person].number_of_segments;
   for (const double value : measures)
     out << ',' << value;

@@ -2,6 +2,8 @@
 
 #include "copies.h"
 
+#include "field_copies.h"
+
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -46,7 +48,7 @@ Copy with_moved_points(Soup soup, const Move& move)
   for (Point& p : soup.points)
     p = move(p);
   std::vector<std::size_t> source = numbers_up_to(soup.triangles.size());
-  return {std::move(soup), std::move(source)};
+  return {std::move(soup), std::move(source), {}};
 }
 
 /// `deviate`: of each coordinate
@@ -80,7 +82,7 @@ Copy with_noise(const Soup& soup, double share, unsigned seed)
 
 Copy split_into_four(const Soup& soup)
 {
-  Copy copy{{soup.points, {}}, {}};
+  Copy copy{{soup.points, {}}, {}, {}};
   std::vector<Point>& points = copy.soup.points;
   std::map<std::array<std::size_t, 2>, std::size_t> middles;
   const auto middle = [&](std::size_t a, std::size_t b) {
@@ -125,19 +127,13 @@ Copy with_holes(const Soup& soup, double share, unsigned seed)
     for (const std::size_t corner : soup.triangles[f])
       faces_at[corner].push_back(f);
   Engine engine(seed);
-  std::vector<bool> is_missing(size, false);
+  std::vector<bool> is_kept(size, true);
   for (std::size_t missing = 0; double(missing) < share * double(size);)
     for (const std::size_t f : faces_around(soup, faces_at, engine() % size, 10)) {
-      missing += !is_missing[f];
-      is_missing[f] = true;
+      missing += is_kept[f];
+      is_kept[f] = false;
     }
-  Copy copy{{soup.points, {}}, {}};
-  for (std::size_t f = 0; f < size; ++f)
-    if (!is_missing[f]) {
-      copy.soup.triangles.push_back(soup.triangles[f]);
-      copy.source.push_back(f);
-    }
-  return copy;
+  return with_faces(soup, is_kept);
 }
 
 /// The faces whose centroids are nearest to those of the faces of another mesh.
@@ -198,7 +194,7 @@ Copy renumbered(const Soup& soup, unsigned seed)
 {
   Engine random(seed);
   std::vector<std::size_t> vertex = numbers_up_to(soup.points.size());
-  Copy copy{{std::vector<Point>(vertex.size()), {}}, numbers_up_to(soup.triangles.size())};
+  Copy copy{{std::vector<Point>(vertex.size()), {}}, numbers_up_to(soup.triangles.size()), {}};
   shuffle(vertex, random);
   shuffle(copy.source, random);
   for (std::size_t v = 0; v < vertex.size(); ++v)
@@ -262,40 +258,60 @@ Copy with_normal_noise(const Soup& soup, double share, unsigned seed)
 const std::vector<Copying>& variants()
 {
   static const std::vector<Copying> all = {
-    {"faces split into four", [](const Soup& s, unsigned) { return split_into_four(s); }},
+    {"faces split into four", [](const Model& m, unsigned) { return split_into_four(m.soup); }},
     {"noise of 1/8 of the mean edge",
-     [](const Soup& s, unsigned seed) { return with_noise(s, 1. / 8, seed); }},
+     [](const Model& m, unsigned seed) { return with_noise(m.soup, 1. / 8, seed); }},
     {"noise of 1/16 of the mean edge",
-     [](const Soup& s, unsigned seed) { return with_noise(s, 1. / 16, seed); }},
-    {"a tenth of the edges", [](const Soup& s, unsigned) { return decimated(s, 0.1); }},
-    {"half of the edges", [](const Soup& s, unsigned) { return decimated(s, 0.5); }},
+     [](const Model& m, unsigned seed) { return with_noise(m.soup, 1. / 16, seed); }},
+    {"a tenth of the edges", [](const Model& m, unsigned) { return decimated(m.soup, 0.1); }},
+    {"half of the edges", [](const Model& m, unsigned) { return decimated(m.soup, 0.5); }},
     {"holes of 1 % of the faces",
-     [](const Soup& s, unsigned seed) { return with_holes(s, 0.01, seed); }}};
+     [](const Model& m, unsigned seed) { return with_holes(m.soup, 0.01, seed); }}};
+  return all;
+}
+
+const std::vector<Copying>& field_copies()
+{
+  static const std::vector<Copying> all = {
+    {"seen from one side",
+     [](const Model& m, unsigned seed) { return seen_from_one_side(m.soup, seed); }},
+    {"cut in half", [](const Model& m, unsigned seed) { return cut_in_half(m.soup, seed); }},
+    {"closed pieces", in_closed_pieces}};
   return all;
 }
 
 const std::vector<Copying>& equal_copies()
 {
   static const std::vector<Copying> all = {
-    {"renumbered", renumbered},
-    {"motion", moved},
-    {"5 digits", [](const Soup& s, unsigned) { return in_five_digits(s); }},
+    {"renumbered", [](const Model& m, unsigned seed) { return renumbered(m.soup, seed); }},
+    {"motion", [](const Model& m, unsigned seed) { return moved(m.soup, seed); }},
+    {"5 digits", [](const Model& m, unsigned) { return in_five_digits(m.soup); }},
     {"noise of 1e-7",
-     [](const Soup& s, unsigned seed) { return with_normal_noise(s, 1e-7, seed); }},
+     [](const Model& m, unsigned seed) { return with_normal_noise(m.soup, 1e-7, seed); }},
     {"noise of 1e-5",
-     [](const Soup& s, unsigned seed) { return with_normal_noise(s, 1e-5, seed); }}};
+     [](const Model& m, unsigned seed) { return with_normal_noise(m.soup, 1e-5, seed); }}};
   return all;
 }
 
 Model copied(const Model& model, const Copying& copying, unsigned seed)
 {
-  Copy copy = copying.copy(model.soup, seed);
-  Model result{std::move(copy.soup), model.number_of_segments, {}};
+  Copy copy = copying.copy(model, seed);
+  Model result{std::move(copy.soup), 0, {}};
+  const std::size_t number = copy.person ? model.people[*copy.person].number_of_segments
+                                         : model.number_of_segments;
+  double parts = 0, parts_left = 0;
   for (const Person& person : model.people) {
-    result.people.push_back({{}, person.number_of_segments});
+    if (copy.person && &person != &model.people[*copy.person])
+      continue;
+    std::vector<int> labels;
     for (const std::size_t face : copy.source)
-      result.people.back().labels.push_back(person.labels[face]);
+      labels.push_back(person.labels[face]);
+    parts += double(number_of_large_parts(person.labels));
+    parts_left += double(number_of_large_parts(labels));
+    result.people.push_back({std::move(labels), person.number_of_segments});
   }
+  result.number_of_segments = (std::max)(
+    std::size_t(1), std::size_t(std::lround(double(number) * parts_left / (std::max)(parts, 1.0))));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "models.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +16,15 @@ namespace princeton_benchmark {
 struct Copy
 {
   Soup soup;
-  std::vector<std::size_t> source; ///< of each triangle: the one of the mesh that it comes from
+  std::vector<std::size_t> source;   ///< of each triangle: the one of the mesh that it comes from
+  std::optional<std::size_t> person; ///< the only one whose labels the copy has; none: everyone's
 };
 
 /// A kind of copies. Equal seeds give equal copies.
 struct Copying
 {
   std::string name;
-  Copy (*copy)(const Soup& soup, unsigned seed);
+  Copy (*copy)(const Model& model, unsigned seed);
 };
 
 /// What is learned from and scored beside each model: faces split into four; noise, the standard
@@ -30,12 +32,17 @@ struct Copying
 /// edge collapse; holes of ten faces, each around a random one.
 const std::vector<Copying>& variants();
 
+/// Also learned from and scored: a model as the field has it, see `field_copies.h`.
+const std::vector<Copying>& field_copies();
+
 /// Copies whose segments should be those of the mesh: points, faces and first corners in another
 /// order; a random rotation, scaling and translation; coordinates of five digits; noise, the
 /// standard deviation of each coordinate as a share of the diagonal.
 const std::vector<Copying>& equal_copies();
 
-/// The model of a copy: each triangle has the labels of the one that it comes from.
+/// The model of a copy: each triangle has the labels of the one that it comes from. The number of
+/// segments is that of the model, or of the only person, times the share of people's parts that are
+/// left.
 Model copied(const Model& model, const Copying& copying, unsigned seed);
 
 } // namespace princeton_benchmark

@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "copies.h"
+#include "field_copies.h"
+#include "sheets.h"
 
 #include <CGAL/IO/OFF.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace princeton_benchmark {
 
 namespace {
+
+using Vector = CGAL::Simple_cartesian<double>::Vector_3;
 
 Soup figure()
 {
@@ -27,8 +36,16 @@ Copy copy_of(const Soup& soup, const std::vector<Copying>& kinds, const std::str
 {
   for (const Copying& kind : kinds)
     if (kind.name == name)
-      return kind.copy(soup, 3);
+      return kind.copy({soup, 1, {}}, 3);
   throw std::runtime_error("no copies " + name);
+}
+
+/// What is learned from beside a model.
+std::vector<Copying> all_kinds()
+{
+  std::vector<Copying> kinds = variants();
+  kinds.insert(kinds.end(), field_copies().begin(), field_copies().end());
+  return kinds;
 }
 
 const Point& corner(const Soup& soup, std::size_t f, std::size_t i)
@@ -86,8 +103,87 @@ TEST(Copies, holes_leave_the_other_faces)
   const double faces = double(soup.triangles.size()), left = double(copy.source.size());
   EXPECT_LE(left, 0.99 * faces);
   EXPECT_GT(left, 0.99 * faces - 10);
-  for (std::size_t f = 0; f < copy.source.size(); ++f)
-    EXPECT_EQ(copy.soup.triangles[f], soup.triangles[copy.source[f]]);
+}
+
+TEST(Copies, faces_that_are_left_are_those_of_the_model)
+{
+  const Soup soup = figure();
+  for (const char* name : {"holes of 1 % of the faces", "seen from one side", "cut in half"}) {
+    const Copy copy = copy_of(soup, all_kinds(), name);
+    EXPECT_GT(copy.source.size(), soup.triangles.size() / 5) << name;
+    for (std::size_t f = 0; f < copy.source.size(); ++f)
+      EXPECT_EQ(copy.soup.triangles[f], soup.triangles[copy.source[f]]) << name;
+  }
+}
+
+/// The sum of the area vectors, of length 1.
+Vector direction(const Soup& soup)
+{
+  Vector sum = CGAL::NULL_VECTOR;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    sum += cross_product(corner(soup, f, 1) - corner(soup, f, 0),
+                         corner(soup, f, 2) - corner(soup, f, 0));
+  return sum / std::sqrt(sum.squared_length());
+}
+
+TEST(Copies, of_a_ball_a_camera_sees_the_half_that_faces_it)
+{
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(4));
+  Soup ball;
+  CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, ball.points, ball.triangles);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Copy copy = seen_from_one_side(ball, seed);
+    const Vector to_camera = direction(copy.soup);
+    std::vector<bool> is_seen(ball.triangles.size(), false);
+    for (const std::size_t f : copy.source)
+      is_seen[f] = true;
+    for (std::size_t f = 0; f < is_seen.size(); ++f) {
+      const Vector normal = cross_product(corner(ball, f, 1) - corner(ball, f, 0),
+                                          corner(ball, f, 2) - corner(ball, f, 0));
+      const double cosine = normal * to_camera / std::sqrt(normal.squared_length());
+      if (std::abs(cosine - 0.05) > 0.03) {
+        EXPECT_EQ(is_seen[f], cosine > 0.05) << cosine;
+      }
+    }
+  }
+}
+
+TEST(Copies, pieces_are_closed_and_of_positive_volume)
+{
+  Model model{figure(), 2, {{{}, 2}}};
+  for (const auto& triangle : model.soup.triangles)
+    model.people.front().labels.push_back(model.soup.points[triangle[0]].z() > 0);
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Copy copy = in_closed_pieces(model, seed);
+    std::multiset<std::pair<std::size_t, std::size_t>> edges; // as often in either direction
+    double volume = 0;
+    for (std::size_t f = 0; f < copy.source.size(); ++f) {
+      const auto& t = copy.soup.triangles[f];
+      volume += CGAL::volume(Point(0, 0, 0), corner(copy.soup, f, 0), corner(copy.soup, f, 1),
+                             corner(copy.soup, f, 2));
+      for (std::size_t i = 0; i < 3; ++i)
+        edges.insert({t[i], t[(i + 1) % 3]});
+    }
+    for (const auto& [a, b] : edges)
+      EXPECT_EQ(edges.count({b, a}), edges.count({a, b}));
+    EXPECT_GT(volume, 0);
+    const std::set<std::size_t> sources(copy.source.begin(), copy.source.end());
+    EXPECT_EQ(sources.size(), model.soup.triangles.size());
+  }
+}
+
+TEST(Sheets, are_connected_open_and_one_part)
+{
+  for (const Sheet& sheet : make_sheets(1)) {
+    const Mesh mesh = make_mesh(sheet.model.soup);
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    EXPECT_EQ(num_vertices(mesh) + num_faces(mesh), num_edges(mesh) + 1) << sheet.kind;
+    EXPECT_EQ(sheet.model.people.front().labels,
+              std::vector<int>(sheet.model.soup.triangles.size(), 0));
+  }
+  EXPECT_EQ(make_sheets(2).back().model.soup.points, make_sheets(2).back().model.soup.points);
 }
 
 TEST(Copies, fewer_faces_come_from_the_nearest)
@@ -140,8 +236,8 @@ TEST(Copies, have_the_labels_of_the_faces_that_they_come_from)
   Model model{figure(), 2, {{{}, 3}}};
   for (std::size_t f = 0; f < model.soup.triangles.size(); ++f)
     model.people.front().labels.push_back(int(f));
-  for (const Copying& kind : variants()) {
-    const Copy copy = kind.copy(model.soup, 7);
+  for (const Copying& kind : all_kinds()) {
+    const Copy copy = kind.copy(model, 7);
     const Model copy_of_model = copied(model, kind, 7);
     EXPECT_EQ(copy_of_model.soup.triangles, copy.soup.triangles) << kind.name;
     EXPECT_TRUE(std::equal(copy.source.begin(), copy.source.end(),

@@ -56,7 +56,7 @@ void compare_copies(const Model_source& source, const RS::Learned_merging& metho
   const std::size_t k = model.number_of_segments;
   const Segmentations original = segmentations(model.soup, k, method);
   for (const Copying& kind : equal_copies()) {
-    const Copy copy = kind.copy(model.soup, unsigned(source.number));
+    const Copy copy = kind.copy(model, unsigned(source.number));
     const Segmentations of_copy = segmentations(copy.soup, k, method);
     std::cout << kind.name << ',' << source.name << ',' << method.number_of_draws << ','
               << distance(original.given, copy, of_copy.given) << ','

@@ -32,16 +32,6 @@ Person read_person(const std::filesystem::path& file, std::size_t number_of_face
   return {std::move(labels), number};
 }
 
-std::size_t number_of_large_parts(const std::vector<int>& labels)
-{
-  std::map<int, std::size_t> sizes;
-  for (const int label : labels)
-    ++sizes[label];
-  return std::size_t(std::count_if(sizes.begin(), sizes.end(), [&](const auto& part) {
-    return double(part.second) > .002 * double(labels.size());
-  }));
-}
-
 std::vector<Model_source> find_furniture(const std::filesystem::path& folder)
 {
   std::vector<Model_source> sources;
@@ -52,7 +42,7 @@ std::vector<Model_source> find_furniture(const std::filesystem::path& folder)
       sources.push_back({name,
                          name.substr(0, name.find('_')),
                          0,
-                         true,
+                         "furniture",
                          mesh,
                          {std::filesystem::path(mesh).replace_extension(".seg")},
                          0});
@@ -81,6 +71,16 @@ Mesh make_mesh(const Soup& soup)
   return mesh;
 }
 
+std::size_t number_of_large_parts(const std::vector<int>& labels)
+{
+  std::map<int, std::size_t> sizes;
+  for (const int label : labels)
+    ++sizes[label];
+  return std::size_t(std::count_if(sizes.begin(), sizes.end(), [&](const auto& part) {
+    return double(part.second) > .002 * double(labels.size());
+  }));
+}
+
 Model Model_source::load() const
 {
   Model model{read_soup(mesh_file), number_of_segments, {}};
@@ -102,7 +102,7 @@ std::vector<Model_source> find_models(const std::filesystem::path& benchmark,
     sources.push_back({std::to_string(n),
                        Princeton_data::category_name(Princeton_data::category(n)),
                        n,
-                       false,
+                       "benchmark",
                        data.mesh_file(n),
                        {},
                        std::size_t(data.number_of_segments(n))});

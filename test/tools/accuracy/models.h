@@ -51,12 +51,15 @@ struct Model
   std::vector<Person> people;
 };
 
+/// The number of the labels of more than .2 % of the faces.
+std::size_t number_of_large_parts(const std::vector<int>& labels);
+
 /// Where a model comes from.
 struct Model_source
 {
   std::string name, category;
-  int number; ///< in the benchmark; furniture has numbers above all of them
-  bool is_furniture;
+  int number;             ///< in the benchmark; others have numbers above all of them
+  std::string collection; ///< benchmark, furniture or sheets
   std::filesystem::path mesh_file;
   std::vector<std::filesystem::path> label_files; ///< one for each person
   std::size_t number_of_segments; ///< 0: that of the first person's parts of more than .2 % of the

@@ -26,17 +26,17 @@ struct Training_graph
 {
   Graph graph;
   Label_counts counts;
+  double weight = 1; ///< of what is learned from it
 };
 
-/// A model, of the benchmark or furniture; the graph is that of the first draw.
+/// A model to learn from; the graph is that of the first draw.
 struct Training_model : Training_graph
 {
   using Method = CGAL::Region_segmentation::Learned_merging;
 
   int number = 0; ///< in the benchmark, or above all of them: of its seeds
   std::string category;
-  bool is_furniture = false;
-  double weight = 1;                    ///< of what is learned from it
+  std::string collection = "benchmark"; ///< or furniture, or sheets
   std::vector<std::vector<int>> people; ///< the labels of the faces by each person, from 0 on
   CGAL::Region_segmentation::Surface surface;
   std::vector<Training_graph> variants; ///< of the same model, to learn from: with other faces

@@ -97,7 +97,7 @@ TEST(Cross_validation_test, furniture_of_one_category_is_learned_from_together)
                                                "Bench", "Chair", "Desk", "Table", "Chair", "Table"};
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].category = categories[i];
-    models[i].is_furniture = i >= 6;
+    models[i].collection = i < 6 ? "benchmark" : "furniture";
   }
   EXPECT_EQ(folds_of_models(models, 3), (Folds{0, 1, 2, 0, 1, 2, 2, 0, 2, 1, 0, 1}));
   EXPECT_EQ(folds_of_categories(models), (Folds{0, 0, 0, 1, 1, 1, 2, 1, 3, 4, 1, 4}));

@@ -21,12 +21,15 @@ void append_rows(Training_rows& rows, const Training_model& model, unsigned trai
 {
   const unsigned seed = training_seed * 1000000u + unsigned(run_number) * 1000u +
                         unsigned(model.number);
-  const std::size_t first = rows.size();
-  rows.append(run(model, seed));
+  const auto append = [&](const Training_graph& start, unsigned run_seed) {
+    Training_rows more = run(start, run_seed);
+    for (float& weight : more.weights)
+      weight *= float(start.weight);
+    rows.append(more);
+  };
+  append(model, seed);
   for (std::size_t i = 0; i < model.variants.size(); ++i)
-    rows.append(run(model.variants[i], seed + unsigned(i + 1) * 100000u));
-  for (std::size_t r = first; r < rows.size(); ++r)
-    rows.weights[r] *= float(model.weight);
+    append(model.variants[i], seed + unsigned(i + 1) * 100000u);
 }
 
 std::size_t number_of(const Folds& folds)
@@ -72,9 +75,9 @@ std::vector<Training_rows> first_rows(const std::vector<Training_model>& models,
 
 Folds folds_of_models(const std::vector<Training_model>& models, std::size_t number)
 {
-  std::map<std::string, std::size_t> pieces; // by category
+  std::map<std::string, std::size_t> pieces; // of other collections, by category
   for (const Training_model& model : models)
-    if (model.is_furniture)
+    if (model.collection != "benchmark")
       ++pieces[model.category];
   std::vector<std::pair<std::string, std::size_t>> categories(pieces.begin(), pieces.end());
   std::stable_sort(categories.begin(), categories.end(),
@@ -89,7 +92,7 @@ Folds folds_of_models(const std::vector<Training_model>& models, std::size_t num
   Folds folds;
   std::size_t next = 0;
   for (const Training_model& model : models)
-    folds.push_back(model.is_furniture ? fold_of.at(model.category) : next++ % number);
+    folds.push_back(model.collection != "benchmark" ? fold_of.at(model.category) : next++ % number);
   return folds;
 }
 

@@ -29,11 +29,11 @@ struct Training_plan
 using Folds = std::vector<std::size_t>;
 
 /// `number` folds. Neighbors in the benchmark, which are of one category, belong to different ones.
-/// Furniture of one category belongs to one: the largest category first, each to the fold that has
-/// the least furniture.
+/// Furniture or sheets of one category belong to one: the largest category first, each to the fold
+/// that has the fewest of these.
 Folds folds_of_models(const std::vector<Training_model>& models, std::size_t number);
 
-/// A fold for each category that is there, whether of the benchmark or of furniture.
+/// A fold for each category that is there, whatever the collection.
 Folds folds_of_categories(const std::vector<Training_model>& models);
 
 struct Cross_validation

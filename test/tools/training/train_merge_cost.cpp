@@ -12,6 +12,7 @@
 #include "cross_validation.h"
 #include "fingerprint.h"
 #include "models.h"
+#include "sheets.h"
 #include "write_model.h"
 
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
@@ -39,12 +40,14 @@ using Method = Training_model::Method; // CGAL::Region_segmentation::Learned_mer
 
 struct Options
 {
-  std::string data_folder, furniture_folder, header, name = "learned-2";
+  std::string data_folder, furniture_folder, header, name = "learned-3";
   bool has_scores = false;
   std::vector<Copying> variants = princeton_benchmark::variants();
+  std::vector<Copying> field_copies = princeton_benchmark::field_copies();
   std::vector<std::size_t> draws;
   std::size_t folds = 5;
   double furniture_weight = 0.4; // 44 pieces weigh as 18 of the 190 models
+  double sheet_weight = 0.2;     // 20 sheets weigh as 4
   Training_plan plan;
 };
 
@@ -62,6 +65,8 @@ void add_options(CLI::App& app, Options& options)
     .add_option("--furniture-weight", options.furniture_weight,
                 "Of such a model beside one of the benchmark")
     ->check(CLI::Range(0., 100.));
+  app.add_option("--sheet-weight", options.sheet_weight, "Of a sheet, an open surface of one part")
+    ->check(CLI::Range(0., 100.));
   app.add_option("--output", options.header, "Write the model as a header: learned_merge_model.h");
   app.add_option("--name", options.name,
                  "Of the model, with its version: each training has its own");
@@ -73,13 +78,17 @@ void add_options(CLI::App& app, Options& options)
     ->delimiter(',');
   app.add_option("--seed", options.plan.seed, "Of all that is random")->check(CLI::Range(1, 1000));
   app.add_flag_callback(
-    "--no-variants", [&options] { options.variants.clear(); },
-    "Learn from the models alone, not from noisy, coarser, finer and open ones, too");
+    "--no-variants",
+    [&options] {
+      options.variants.clear();
+      options.field_copies.clear();
+    },
+    "Learn from the models alone, not from noisy, coarser, finer, open and assembled ones, too");
   app.add_option("--folds", options.folds, "Of the models, for cross-validation")
     ->check(CLI::Range(2, 1000));
 }
 
-/// A model of the benchmark, or furniture: as it is, and as it is learned from.
+/// A model of the benchmark, furniture, or a sheet.
 struct Loaded
 {
   Model_source source;
@@ -92,7 +101,19 @@ std::vector<Loaded> load(const Options& options)
   for (const Model_source& source :
        princeton_benchmark::find_models(options.data_folder, options.furniture_folder))
     result.push_back({source, source.load()});
+  for (princeton_benchmark::Sheet& sheet : princeton_benchmark::make_sheets(options.plan.seed)) {
+    const int number = result.back().source.number + 1;
+    result.push_back({{"sheet " + std::to_string(number), sheet.kind, number, "sheets", {}, {}, 1},
+                      std::move(sheet.model)});
+  }
   return result;
+}
+
+double weight_of(const Model_source& source, const Options& options)
+{
+  return source.collection == "furniture" ? options.furniture_weight
+         : source.collection == "sheets"  ? options.sheet_weight
+                                          : 1;
 }
 
 std::vector<Training_model> make_training_models(const std::vector<Loaded>& loaded,
@@ -101,14 +122,21 @@ std::vector<Training_model> make_training_models(const std::vector<Loaded>& load
   std::vector<Training_model> models;
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     const auto& [source, model] = loaded[i];
-    models.push_back(make_training_model(source.number, model, Method()));
+    const auto make = [&](const princeton_benchmark::Model& m) {
+      Training_model result = make_training_model(source.number, m, Method());
+      result.weight = weight_of(source, options);
+      return result;
+    };
+    models.push_back(make(model));
     models.back().category = source.category;
-    models.back().is_furniture = source.is_furniture;
-    models.back().weight = source.is_furniture ? options.furniture_weight : 1;
+    models.back().collection = source.collection;
+    if (source.collection == "sheets")
+      continue;
+    std::vector<Copying> kinds = options.field_copies;
     for (std::size_t v = i % 2; v < options.variants.size(); v += 2) // half of them, which is
-                                                                     // enough of each
-      models.back().variants.push_back(make_training_model(
-        source.number, copied(model, options.variants[v], unsigned(i)), Method()));
+      kinds.push_back(options.variants[v]);                          // enough of each
+    for (const Copying& kind : kinds)
+      models.back().variants.push_back(make(copied(model, kind, unsigned(i))));
   }
   return models;
 }
@@ -135,6 +163,13 @@ Method method_with(const Model& learned, std::size_t draws)
   return method;
 }
 
+std::vector<Copying> all_kinds(const Options& options)
+{
+  std::vector<Copying> kinds = options.variants;
+  kinds.insert(kinds.end(), options.field_copies.begin(), options.field_copies.end());
+  return kinds;
+}
+
 /// Of the models in sample, out of fold, with other numbers of draws, of their variants (with
 /// other seeds than those that are learned from), and with whole categories left out.
 void write_all_scores(const Options& options, const std::vector<Loaded>& loaded,
@@ -149,7 +184,7 @@ void write_all_scores(const Options& options, const std::vector<Loaded>& loaded,
     for (const std::size_t draws : options.draws)
       write_scores("out of fold (draws: " + std::to_string(draws) + ")", loaded[i], models[i],
                    method_with(without, draws));
-    for (const Copying& variant : options.variants) {
+    for (const Copying& variant : all_kinds(options)) {
       const princeton_benchmark::Model model = copied(loaded[i].model, variant,
                                                       unsigned(models.size() + i));
       write_scores("out of fold (" + variant.name + ")", {loaded[i].source, model},
@@ -169,30 +204,36 @@ std::string in_digits(double value)
   return text;
 }
 
-std::string names_of_variants(const Options& options)
+std::string names_of(const std::vector<Copying>& kinds)
 {
-  std::string names = "Variants, each of every other model: ";
-  for (const Copying& variant : options.variants)
-    names += (&variant == &options.variants.front() ? "" : ", ") + variant.name;
-  return names + (options.variants.empty() ? "none." : ".");
+  std::string names;
+  for (const Copying& kind : kinds)
+    names += (&kind == &kinds.front() ? "" : ", ") + kind.name;
+  return kinds.empty() ? "none" : names;
+}
+
+std::ptrdiff_t number_of(const std::vector<Training_model>& models, const std::string& collection)
+{
+  return std::count_if(models.begin(), models.end(),
+                       [&](const Training_model& m) { return m.collection == collection; });
 }
 
 /// The models that were learned from, in words.
 std::string names_of_models(const Options& options, const std::vector<Training_model>& models)
 {
-  const auto end = std::find_if(models.begin(), models.end(),
-                                [](const Training_model& m) { return m.is_furniture; });
-  const bool even = std::all_of(models.begin(), end,
+  const std::ptrdiff_t size = number_of(models, "benchmark"),
+                       pieces = number_of(models, "furniture");
+  const bool even = std::all_of(models.begin(), models.begin() + size,
                                 [](const Training_model& m) { return m.number % 2 == 0; });
-  std::string names = std::to_string(end - models.begin()) +
-                      " models of the Princeton Segmentation Benchmark, " +
+  std::string names = std::to_string(size) + " models of the Princeton Segmentation Benchmark, " +
                       (even ? "of its even-numbered half, number " : "number ") +
                       std::to_string(models.front().number) + " to " +
-                      std::to_string((end - 1)->number);
-  if (end != models.end())
-    names += ", and " + std::to_string(models.end() - end) + " pieces of furniture of the weight " +
+                      std::to_string(models[size - 1].number);
+  if (pieces > 0)
+    names += ", and " + std::to_string(pieces) + " pieces of furniture of the weight " +
              in_digits(options.furniture_weight);
-  return names + ".";
+  return names + ", and " + std::to_string(number_of(models, "sheets")) + " sheets of the weight " +
+         in_digits(options.sheet_weight) + ".";
 }
 
 std::vector<std::string> provenance(const Options& options,
@@ -205,11 +246,12 @@ std::vector<std::string> provenance(const Options& options,
       names_of_models(options, models),
     std::string("The benchmark: X. Chen, A. Golovinskiy, T. Funkhouser, \"A Benchmark for 3D Mesh "
                 "Segmentation\", ACM Transactions on Graphics 28(3), 2009. ") +
-      (models.back().is_furniture
+      (number_of(models, "furniture") > 0
          ? "The furniture: made of the parts of IKEA-Manuals-at-Work (Liu et al., CC BY 4.0). "
          : "") +
       "See doc/accuracy.md.",
-    names_of_variants(options),
+    "Variants of every other model: " + names_of(options.variants) +
+      "; of every model: " + names_of(options.field_copies) + ".",
     "Hash of the " + std::to_string(rows.size()) + " training rows: " + fingerprint(rows) + "."};
 }
 

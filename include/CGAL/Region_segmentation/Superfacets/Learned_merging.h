@@ -90,7 +90,8 @@ private:
   static Whole_shape whole_shape(const Graph& graph)
   {
     Second_moments moments;
-    double area_vectors = 0, outward = 0, distances = 0, strongly_concave = 0, length = 0;
+    double area_vectors = 0, outward = 0, distances = 0, openness = 1;
+    double strongly_concave = 0, length = 0;
     // With the area vectors written as w n, n of length 1, these are the sums of the tensors w n n
     // and w n n n n. Their squared norms are the sums over all pairs of regions of the second and
     // fourth powers of the cosine between two normals, weighted by w.
@@ -99,6 +100,7 @@ private:
     for (auto range = vertices(graph); range.first != range.second; ++range.first) {
       const Learned_region_data& region = graph[*range.first];
       moments.add(region.moments);
+      openness -= region.visibility / 2;
       const double weight = norm(region.area_vector);
       if (!(weight > 0))
         continue;
@@ -127,8 +129,11 @@ private:
       squared_sines -= f * f;
     const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0; };
     return {-std::log((std::max)(1e-12, CGAL_PI * moments.covariance().trace())),
-            ratio(area_vectors, moments.weight), ratio(strongly_concave, length),
-            1 - 4 * ratio(squared_sines, area_vectors * area_vectors), ratio(outward, distances)};
+            ratio(area_vectors, moments.weight),
+            ratio(strongly_concave, length),
+            1 - 4 * ratio(squared_sines, area_vectors * area_vectors),
+            ratio(outward, distances),
+            openness};
   }
 };
 
@@ -263,6 +268,7 @@ struct Learned_merging
                          Number_from_expected_costs()}
   {
     chooser.maximum_number = most_learned_regions;
+    chooser.minimum_number = 1;
   }
 
   /// The model, which copies of the method share.

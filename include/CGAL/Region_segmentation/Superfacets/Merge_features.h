@@ -23,7 +23,8 @@ namespace Region_segmentation {
 
 /// \ingroup PkgRegionSegmentationGraph
 /// Extends `Visibility_section_data` by the thickness beside the section, and by how much of it is
-/// a deep valley. Filled by `Learned_annotator`. A model of `SectionData`.
+/// a deep valley or a contact of components. Filled by `Learned_annotator`. A model of
+/// `SectionData`.
 ///
 /// All data are sums over the adjacencies, in units of the square root of the area of the surface.
 struct Learned_section_data : Visibility_section_data
@@ -32,6 +33,7 @@ struct Learned_section_data : Visibility_section_data
 
   double strongly_concave_length = 0; ///< of concave edges with a deviation above
                                       ///< `strongly_concave`
+  double link_length = 0;             ///< of links
   double log_thickness = 0;           ///< integral of the mean log thickness, averaged over the two
                                       ///< regions beside an edge from which merging starts
 
@@ -42,6 +44,8 @@ struct Learned_section_data : Visibility_section_data
     add(l, deviation);
     if (deviation > strongly_concave)
       strongly_concave_length += l;
+    if (mesh.has_flag(a, Surface::LINK))
+      link_length += l;
   }
 
   /// Adds another section between the same two regions.
@@ -49,6 +53,7 @@ struct Learned_section_data : Visibility_section_data
   {
     Visibility_section_data::absorb(other);
     strongly_concave_length += other.strongly_concave_length;
+    link_length += other.link_length;
     log_thickness += other.log_thickness;
   }
 };
@@ -69,6 +74,8 @@ struct Whole_shape
                                ///< regions, by \f$|V|\f$, \f$\alpha\f$ the angle between their
                                ///< area vectors: 1 for a box, 7/15 for a sphere
   double outward = 0;          ///< \f$\sum V \cdot c / \sum |V| |c|\f$; in [-1, 1], 1 for a sphere
+  double openness = 0;         ///< 1 minus the weight of the rays that hit: 0 for a closed surface,
+                               ///< 1 for a flat sheet
 };
 
 /// \ingroup PkgRegionSegmentationGraph
@@ -114,28 +121,28 @@ struct Learned_region_data : Visibility_region_data
 /// eigenvalues, and \f$W = \sqrt{\mathrm{tr}\, w}\f$. Of moments with the sums \f$S_0, S_1, S_2\f$,
 /// the centroid is \f$S_1 / S_0\f$ and the covariance \f$S_2 / S_0 - S_1 S_1^T / S_0^2\f$.
 ///
-/// - 0 .. 2: the `Visibility_cost`; ln d, d its depth; C / L;
-/// - 3, 4: ln a of m, M;
-/// - 5: \f$\ln(L^2 / a_M)\f$;
-/// - 6 .. 8: \f$\ln(P^2 / a)\f$ of m, M, u;
-/// - 9: \f$|t_m - t_M|\f$;
-/// - 10, 11: t of m, M;
-/// - 12, 13: \f$t_s - t\f$ of m, M;
-/// - 14: \f$\sqrt{q / a - t^2}\f$ of u, q the `squared_log_thickness` (the standard deviation of
+/// - 0 .. 3: the `Visibility_cost`; ln d, d its depth; C / L; the share of links in L;
+/// - 4, 5: ln a of m, M;
+/// - 6: \f$\ln(L^2 / a_M)\f$;
+/// - 7 .. 9: \f$\ln(P^2 / a)\f$ of m, M, u;
+/// - 10: \f$|t_m - t_M|\f$;
+/// - 11, 12: t of m, M;
+/// - 13, 14: \f$t_s - t\f$ of m, M;
+/// - 15: \f$\sqrt{q / a - t^2}\f$ of u, q the `squared_log_thickness` (the standard deviation of
 ///   the log thickness);
-/// - 15: \f$\ln L - \min(t_m, t_M)\f$;
-/// - 16: \f$\ln W - t\f$ of M;
-/// - 17, 18: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;
-/// - 19, 20: 2 o / s of m, M (share of the rays that start and end in the region);
-/// - 21, 22: \f$|V| / a\f$ of m, u (1 where it is flat);
-/// - 23: \f$(V_m / |V_m| - V_M / |V_M|) \cdot (z_m - z_M) / |z_m - z_M|\f$ (below 0 where they face
+/// - 16: \f$\ln L - \min(t_m, t_M)\f$;
+/// - 17: \f$\ln W - t\f$ of M;
+/// - 18, 19: \f$s_{mM} / \min(s_m, s_M)\f$; \f$s_{mM} / \max(s_m, s_M)\f$;
+/// - 20, 21: 2 o / s of m, M (share of the rays that start and end in the region);
+/// - 22, 23: \f$|V| / a\f$ of m, u (1 where it is flat);
+/// - 24: \f$(V_m / |V_m| - V_M / |V_M|) \cdot (z_m - z_M) / |z_m - z_M|\f$ (below 0 where they face
 ///   each other);
-/// - 24: \f$|z_m - z_M| / \sqrt{a_u}\f$;
-/// - 25: \f$\sqrt{w_2 / w_1}\f$ of u (elongation);
-/// - 26: \f$\sqrt{w_3 / w_2}\f$ of u (roundness);
-/// - 27: \f$W_u / (W_m + W_M)\f$;
-/// - 28, 29: \f$\ln(a / (\pi W^2))\f$ of m, M (-0.45 for a disc);
-/// - 30 .. 34: the members of `Whole_shape`.
+/// - 25: \f$|z_m - z_M| / \sqrt{a_u}\f$;
+/// - 26: \f$\sqrt{w_2 / w_1}\f$ of u (elongation);
+/// - 27: \f$\sqrt{w_3 / w_2}\f$ of u (roundness);
+/// - 28: \f$W_u / (W_m + W_M)\f$;
+/// - 29, 30: \f$\ln(a / (\pi W^2))\f$ of m, M (-0.45 for a disc);
+/// - 31 .. 36: the members of `Whole_shape`.
 ///
 /// Conventions:
 /// - A feature x is rounded to \f$\lfloor 512 x + 1/2 \rfloor\f$, an integer within [-32767,
@@ -153,7 +160,7 @@ public:
   using Values = Merge_model::Features;
 
   /// The places of the features that `Learned_cost` reads: the `Visibility_cost`, ln a_m, ln a_M.
-  static constexpr std::size_t cost = 0, log_area_m = 3, log_area_l = 4;
+  static constexpr std::size_t cost = 0, log_area_m = 4, log_area_l = 5;
 
   /// \tparam Graph a `Region_adjacency_graph` with the data of `Learned_annotator`
   template <typename Graph>
@@ -214,6 +221,7 @@ private:
     const Whole_shape& whole = m.data.whole;
     return {// The section.
             visibility_cost, log(Visibility_cost().depth(s)), ratio(s.concave, s.length),
+            ratio(s.link_length, s.length),
             // Sizes.
             m.log_area, l.log_area, 2 * log_length - l.log_area, m.log_perimeter, l.log_perimeter,
             u.log_perimeter,
@@ -231,7 +239,7 @@ private:
             ratio(u.width, m.width + l.width), m.log_filling, l.log_filling,
             // The whole surface.
             whole.log_filling, whole.flatness, whole.strongly_concave, whole.right_angles,
-            whole.outward};
+            whole.outward, whole.openness};
   }
 
   static Values rounded(const Numbers& x)

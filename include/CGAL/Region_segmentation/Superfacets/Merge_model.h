@@ -29,7 +29,7 @@ namespace Region_segmentation {
 /// Complexity: O(number of features * number of units).
 struct Merge_model
 {
-  static constexpr std::size_t number_of_features = 35;
+  static constexpr std::size_t number_of_features = 37;
   using Feature = std::int16_t;
   using Features = std::array<Feature, number_of_features>;
 

@@ -213,13 +213,17 @@ private:
 /// the surface, or, if less than 1/1000 of the vector from there lies in this plane, to the first
 /// corner of the face; and \f$v = -N \times u\f$. Degenerate faces cast no rays.
 ///
-/// A ray ends at the first other face, whichever side it hits, of several the lower one; where
-/// thousands of faces overlap, at the first one found in bounded time. Triangles are intersected as
-/// in \cgalCite{MT97}, with a margin of \f$10^{-6}\f$ in the barycentric coordinates; a polygon is
-/// a fan of triangles from its first corner.
+/// A ray ends at the first other face that it hits from inside (where its direction and the normal
+/// of the face have a positive product), of several the lower one; where thousands of faces
+/// overlap, at the first one found in bounded time. It passes faces that it meets from outside:
+/// there it has left the body through an opening, or enters another component that crosses the
+/// first. A ray that ends at no face, as most below a sheet, has left the body: it tells nothing of
+/// thickness, and has no weight. Triangles are intersected as in \cgalCite{MT97}, with a margin of
+/// \f$10^{-6}\f$ in the barycentric coordinates; a polygon is a fan of triangles from its first
+/// corner.
 /// - The *thickness* of a region is the mean of \f$\ln(x / \sqrt{A} + 10^{-4})\f$, \f$x\f$ the
 ///   lengths of the rays that start in it; that of a region without rays that hit is the mean of
-///   the others' thicknesses.
+///   the others' thicknesses, or 0 where no ray hits.
 /// - Each ray has a weight: the share of its superfacet in the area of the surface, divided by 12,
 ///   or by 1 if the superfacet casts one. It is added to the visibility of the region where it
 ///   starts, to that of the region where it ends (so twice if they are the same), and to that of

@@ -76,8 +76,8 @@ struct Ray
   }
 };
 
-/// Finds the face that a ray hits first, by a tree of the boxes of patches: the coarse ones of a
-/// mesh of few faces, else the fine ones. Rays pass through crumbs.
+/// Finds the face that a ray hits first from inside the body, by a tree of the boxes of patches:
+/// the coarse ones of a mesh of few faces, else the fine ones. Rays pass through crumbs.
 ///
 /// Construction takes O(F + P log P) for P patches, a ray O(log P + F / P) in practice.
 class Ray_tree
@@ -127,9 +127,9 @@ public:
     });
   }
 
-  /// The first face that a ray hits in front of its source, of several the lowest one, other than
-  /// `skipped`; the first one found, if more boxes than `most_visits` would be visited, as where
-  /// thousands of triangles overlap.
+  /// The first face that a ray hits from inside, in front of its source, of several the lowest one,
+  /// other than `skipped`; the first one found, if more boxes than `most_visits` would be visited,
+  /// as where thousands of triangles overlap.
   Hit first_hit(const Double_3& source, const Double_3& direction, Index skipped,
                 std::size_t most_visits = (std::numeric_limits<std::size_t>::max)()) const
   {
@@ -140,6 +140,8 @@ public:
     };
     m_boxes.search(entry, ray.distance, [&](Index node) {
       for (const Index face : m_faces[m_boxes.item(node)]) {
+        if (!(dot(direction, m_surface.normal(face)) > 0))
+          continue;
         const auto corners = m_surface.corners(face);
         for (const Index* v = corners.begin() + 1; v + 1 < corners.end(); ++v)
           ray.intersect(m_surface.point(*corners.begin()), m_surface.point(v[0]),
