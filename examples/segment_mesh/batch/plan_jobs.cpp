@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <system_error>
 
 namespace segment_mesh {
 
@@ -147,6 +148,18 @@ void add_output(const Output& output, Run_files& files, std::vector<std::string>
     patterns.push_back(name);
 }
 
+/// \throws Output_error if an output would be in a folder that is not there
+void check_folders(const std::vector<Job>& jobs)
+{
+  std::error_code ignored;
+  for (const Job& job : jobs)
+    for (const Output& output : job.outputs)
+      if (!is_written_directly(output.file) &&
+          !std::filesystem::is_directory(
+            std::filesystem::path(resolve_links(output.file)).parent_path(), ignored))
+        throw Output_error(output.file, "there is no such folder");
+}
+
 /// \throws Usage_error for an input whose name would make an output one for each segment
 Job make_job(const std::string& input, const std::string& stem, const Options& options)
 {
@@ -185,6 +198,7 @@ std::vector<Job> plan_jobs(const Options& options)
   for (const Job& job : jobs)
     for (const Output& output : job.outputs)
       add_output(output, files, patterns);
+  check_folders(jobs);
   return jobs;
 }
 
