@@ -84,7 +84,8 @@ void check_batch(const Named_file& file)
     throw Usage_error("-o -: with several inputs outputs are files");
   if (file.name.find(stem_placeholder) == std::string::npos)
     throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " +
-                      stem_placeholder);
+                      stem_placeholder +
+                      (file.option == "-o" ? "; several outputs are -o FILE -o FILE" : ""));
 }
 
 /// \throws Usage_error if the format of standard input is not given, or if it is to be read twice
