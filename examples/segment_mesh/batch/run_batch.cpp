@@ -179,6 +179,13 @@ std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& inp
   return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
 }
 
+std::string in_seconds(double seconds)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", seconds);
+  return text;
+}
+
 /// `armadillo.off: 172974 faces, 812 regions, 9 segments, 0.214 s`
 std::string describe(const Job& job, const Case& input, const Segmentation& segmentation,
                      const Segmentation_settings& settings)
@@ -195,10 +202,8 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
                             counted(input.mesh.soup.polygons.size(), "face") + ", ";
   if (job.side_files.has_labels())
     return start + segments + "\n";
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
   return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " +
-         seconds + "\n";
+         in_seconds(segmentation.seconds) + "\n";
 }
 
 void write_outputs(const Job& job, const Result& result, Verbosity verbosity, Job_report& report)
@@ -274,7 +279,8 @@ Job_report run_job(const Job& job, const Options& options, const Progress_listen
 
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options)
 {
-  Exit_status status = DONE;
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t number_of_failures = 0;
   bool has_stdout_failed = false;
   Progress_line progress(options.verbosity == Verbosity::NORMAL);
   const std::string of_all = "/" + std::to_string(jobs.size()) + " files";
@@ -292,10 +298,15 @@ Exit_status run_batch(const std::vector<Job>& jobs, const Options& options)
     if (std::cout && !(std::cout << report.out << std::flush))
       has_stdout_failed = errno != EPIPE; // a reader that goes early, as `head`, is no failure
     std::cerr << report.err << std::flush;
-    status = (std::max)(status, report.status);
+    number_of_failures += report.status != DONE;
   }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  if (jobs.size() > 1 && options.verbosity == Verbosity::NORMAL)
+    std::cerr << counted(jobs.size(), "input") << ": " << jobs.size() - number_of_failures
+              << " done, " << number_of_failures << " failed, " << in_seconds(time.count())
+              << std::endl;
   if (!has_stdout_failed)
-    return status;
+    return number_of_failures == 0 ? DONE : FAILED;
   std::cerr << "segment_mesh: standard output cannot be written" << std::endl;
   return FAILED;
 }
