@@ -1,6 +1,6 @@
 # cmake -D PROGRAM=segment_mesh -D PAGE=segment_mesh.1 -P write_man_page.cmake:
-# doc/segment_mesh.1.in with the help of the program in it, as it is.
-execute_process(COMMAND ${PROGRAM} --help OUTPUT_VARIABLE help)
+# doc/segment_mesh.1.in with all of the help of the program in it, as it is.
+execute_process(COMMAND ${PROGRAM} --help all OUTPUT_VARIABLE help)
 execute_process(COMMAND ${PROGRAM} --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REPLACE "\\" "\\e" help "${help}")
 string(REPLACE "-" "\\-" help "${help}")

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <system_error>
 
 namespace segment_mesh {
 
@@ -83,7 +84,8 @@ void check_batch(const Named_file& file)
     throw Usage_error("-o -: with several inputs outputs are files");
   if (file.name.find(stem_placeholder) == std::string::npos)
     throw Usage_error(file.option + " " + file.name + ": with several inputs it holds " +
-                      stem_placeholder);
+                      stem_placeholder +
+                      (file.option == "-o" ? "; several outputs are -o FILE -o FILE" : ""));
 }
 
 /// \throws Usage_error if the format of standard input is not given, or if it is to be read twice
@@ -147,6 +149,18 @@ void add_output(const Output& output, Run_files& files, std::vector<std::string>
     patterns.push_back(name);
 }
 
+/// \throws Output_error if an output would be in a folder that is not there
+void check_folders(const std::vector<Job>& jobs)
+{
+  std::error_code ignored;
+  for (const Job& job : jobs)
+    for (const Output& output : job.outputs)
+      if (!is_written_directly(output.file) &&
+          !std::filesystem::is_directory(
+            std::filesystem::path(resolve_links(output.file)).parent_path(), ignored))
+        throw Output_error(output.file, "there is no such folder");
+}
+
 /// \throws Usage_error for an input whose name would make an output one for each segment
 Job make_job(const std::string& input, const std::string& stem, const Options& options)
 {
@@ -185,6 +199,7 @@ std::vector<Job> plan_jobs(const Options& options)
   for (const Job& job : jobs)
     for (const Output& output : job.outputs)
       add_output(output, files, patterns);
+  check_folders(jobs);
   return jobs;
 }
 

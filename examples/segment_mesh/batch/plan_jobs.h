@@ -52,6 +52,7 @@ struct Job
 /// \throws Usage_error for two outputs in one file, an output in the place of another file of the
 ///         run, a batch without `{stem}` or to stdout, standard input without a format or twice,
 ///         and any other `{name}`
+/// \throws Output_error for an output in a folder that is not there
 std::vector<Job> plan_jobs(const Options& options);
 
 } // namespace segment_mesh

@@ -7,13 +7,18 @@
 #include "read/errors.h"
 #include "read/read_marks.h"
 #include "read/read_mesh.h"
+#include "soup/vector_algebra.h"
 #include "write/write_segmentation.h"
 
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 
+#include <boost/unordered_map.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -179,6 +184,13 @@ std::string reason_for_number(std::size_t n, std::size_t wanted, const Case& inp
   return "the mesh has " + counted(segmentation.segment_of_face.size(), "face");
 }
 
+std::string in_seconds(double seconds)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f s", seconds);
+  return text;
+}
+
 /// `armadillo.off: 172974 faces, 812 regions, 9 segments, 0.214 s`
 std::string describe(const Job& job, const Case& input, const Segmentation& segmentation,
                      const Segmentation_settings& settings)
@@ -195,10 +207,52 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
                             counted(input.mesh.soup.polygons.size(), "face") + ", ";
   if (job.side_files.has_labels())
     return start + segments + "\n";
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3f s", segmentation.seconds);
   return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " +
-         seconds + "\n";
+         in_seconds(segmentation.seconds) + "\n";
+}
+
+/// A plane with some faces of a mesh.
+struct Plane
+{
+  std::size_t number_of_faces = 0;
+  double area = 0;
+};
+
+/// The planes of the faces; those with nearly the same normal and distance are one.
+std::vector<Plane> planes_of_faces(const Polygon_soup& soup, double area)
+{
+  constexpr double steps = 500;
+  boost::unordered_map<std::array<long, 4>, Plane> planes;
+  for (const Polygon_soup::Polygon& polygon : soup.polygons) {
+    const Point vector = area_vector(soup.points, polygon), normal = unit_vector(vector);
+    const double distance = inner_product(normal, minus(soup.points[polygon[0]], soup.points[0]));
+    const std::array<long, 4> key = {std::lround(steps * normal[0]), std::lround(steps * normal[1]),
+                                     std::lround(steps * normal[2]),
+                                     std::lround(steps * distance / std::sqrt(area))};
+    Plane& plane = planes[key];
+    ++plane.number_of_faces;
+    plane.area += length(vector) / 2;
+  }
+  std::vector<Plane> result;
+  for (const auto& entry : planes)
+    result.push_back(entry.second);
+  return result;
+}
+
+/// Whether more than a fifth of the area is in several planes, each with several faces and 1/100 of
+/// it: what a CAD program makes is so, what a scanner or a sculptor makes hardly ever.
+bool looks_like_machine_part(const Polygon_soup& soup)
+{
+  double area = 0, area_of_large_planes = 0;
+  for (const Polygon_soup::Polygon& polygon : soup.polygons)
+    area += length(area_vector(soup.points, polygon)) / 2;
+  std::size_t number_of_large_planes = 0;
+  for (const Plane& plane : planes_of_faces(soup, area))
+    if (plane.number_of_faces > 1 && plane.area >= 0.01 * area) {
+      ++number_of_large_planes;
+      area_of_large_planes += plane.area;
+    }
+  return number_of_large_planes > 1 && area_of_large_planes > 0.2 * area;
 }
 
 void write_outputs(const Job& job, const Result& result, Verbosity verbosity, Job_report& report)
@@ -243,6 +297,11 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
     lines += describe_scores(input.mesh, segmentation.segment_of_face, input.truths);
   listener("writing", 0);
   const Segmentation_details details(input.mesh.soup, settings, segmentation);
+  if (options.verbosity == Verbosity::NORMAL && options.inputs.size() == 1 &&
+      !side_files.has_labels() && settings.method != Method::SMOOTH_FACES &&
+      looks_like_machine_part(input.mesh.soup))
+    report.err += one_line(job.input) +
+                  ": looks like a machine part, whose faces --method smooth-faces finds\n";
   write_outputs(job,
                 {job.input, input.mesh, input.marks, settings, job.side_files, segmentation,
                  details, options.view, options.coloring},
@@ -274,7 +333,8 @@ Job_report run_job(const Job& job, const Options& options, const Progress_listen
 
 Exit_status run_batch(const std::vector<Job>& jobs, const Options& options)
 {
-  Exit_status status = DONE;
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t number_of_failures = 0;
   bool has_stdout_failed = false;
   Progress_line progress(options.verbosity == Verbosity::NORMAL);
   const std::string of_all = "/" + std::to_string(jobs.size()) + " files";
@@ -292,10 +352,15 @@ Exit_status run_batch(const std::vector<Job>& jobs, const Options& options)
     if (std::cout && !(std::cout << report.out << std::flush))
       has_stdout_failed = errno != EPIPE; // a reader that goes early, as `head`, is no failure
     std::cerr << report.err << std::flush;
-    status = (std::max)(status, report.status);
+    number_of_failures += report.status != DONE;
   }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  if (jobs.size() > 1 && options.verbosity == Verbosity::NORMAL)
+    std::cerr << counted(jobs.size(), "input") << ": " << jobs.size() - number_of_failures
+              << " done, " << number_of_failures << " failed, " << in_seconds(time.count())
+              << std::endl;
   if (!has_stdout_failed)
-    return status;
+    return number_of_failures == 0 ? DONE : FAILED;
   std::cerr << "segment_mesh: standard output cannot be written" << std::endl;
   return FAILED;
 }

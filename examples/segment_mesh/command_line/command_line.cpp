@@ -22,6 +22,10 @@
 
 namespace segment_mesh {
 
+namespace embedded {
+extern const char* const help_txt;
+} // namespace embedded
+
 namespace {
 
 /// The values of an enumeration by their names, which are in their order.
@@ -59,272 +63,125 @@ struct Raw_options
   std::string size;
 };
 
-/// The words of a text in lines that the help has room for; a line break of the text stays.
-std::string wrapped(const std::string& text)
+/// An option with a value of the kind that `type` names in messages.
+template <typename Value>
+CLI::Option* add_option(CLI::App& app, const char* names, Value& value, const char* type)
 {
-  constexpr std::size_t width = 55;
-  std::istringstream lines(text);
-  std::string result, line, word;
-  while (std::getline(lines, line)) {
-    result += result.empty() ? "" : "\n";
-    std::size_t used = 0;
-    for (std::istringstream words(line); words >> word; used += word.size() + 1) {
-      if (used + word.size() > width) {
-        result += "\n";
-        used = 0;
-      }
-      result += (used > 0 ? " " : "") + word;
-    }
-  }
-  return result;
+  CLI::Option* const option = app.add_option(names, value)->type_name(type);
+  if (type == std::string_view("FILE")) // a script's unset variable is no name
+    option->check(CLI::Validator(
+      [](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; },
+      ""));
+  return option;
 }
 
-/// Adds options to one group of the help. The first line of a text says enough for the short help.
-class Option_group
+/// An option that may be given several times, with one file each time.
+void add_repeatable(CLI::App& app, const char* names, std::vector<std::string>& files)
 {
-public:
-  Option_group(CLI::App& app, const char* name)
-    : m_app(app)
-    , m_name(name)
-  {}
+  add_option(app, names, files, "FILE")->allow_extra_args(false);
+}
 
-  template <typename Value>
-  CLI::Option* add(const char* names, Value& value, const char* type, const std::string& text) const
-  {
-    CLI::Option* const
-      option = m_app.add_option(names, value, wrapped(text))->option_text(type)->group(m_name);
-    if (std::string_view(type).substr(0, 4) == "FILE") // a script's unset variable is no name
-      option->check(CLI::Validator(
-        [](const std::string& word) { return word.empty() ? "the name of a file is empty" : ""; },
-        ""));
-    return option;
-  }
-
-  /// An option whose words stand for values.
-  template <typename Value, typename Target>
-  void add_choice(const char* names, Target& target, const std::map<std::string, Value>& values,
-                  const char* type, const char* text) const
-  {
-    std::vector<std::string> words;
-    for (const auto& entry : values)
-      words.push_back(entry.first);
-    m_app
-      .add_option_function<std::string>(
-        names, [&target, &values](const std::string& word) { target = values.at(word); },
-        wrapped(text))
-      ->option_text(type)
-      ->group(m_name)
-      ->check(CLI::IsMember(words));
-  }
-
-  /// An option that may be given several times, with one word each time.
-  CLI::Option* add_repeatable(const char* names, std::vector<std::string>& values, const char* type,
-                              const char* text) const
-  {
-    return add(names, values, type, text)->allow_extra_args(false);
-  }
-
-  CLI::Option* add_flag(const char* names, const char* text) const
-  {
-    return m_app.add_flag(names)->description(wrapped(text))->group(m_name);
-  }
-
-private:
-  CLI::App& m_app;
-  const char* m_name;
-};
+/// An option whose words stand for values.
+template <typename Value, typename Target>
+void add_choice(CLI::App& app, const char* names, Target& target,
+                const std::map<std::string, Value>& values)
+{
+  std::vector<std::string> words;
+  for (const auto& entry : values)
+    words.push_back(entry.first);
+  app
+    .add_option_function<std::string>(
+      names, [&target, &values](const std::string& word) { target = values.at(word); })
+    ->check(CLI::IsMember(words));
+}
 
 void add_inputs(CLI::App& app, Raw_options& raw)
 {
-  const Option_group input(app, "Input");
-  input.add("INPUT", raw.options.inputs, " ",
-            "Meshes: " + endings_of_meshes() +
-              ".\n"
-              "Also compressed as .gz; - is standard input. Several inputs are processed one "
-              "after the other.");
-  input.add_choice("--input-format", raw.options.input_format, formats, "FORMAT",
-                   "For all inputs, whatever their extensions: the extension that they would "
-                   "have, without the dot. Needed for standard input.");
-  input.add_flag("--demo",
-                 "Instead of an INPUT: a figure that the program has.\n"
-                 "It knows the parts: their number is the default of -k, and the score against "
-                 "them is printed.");
-  input.add("--labels", raw.options.side_files.labels, "FILE.seg",
-            "Segments that exist, instead of segmenting.\n"
-            "The file has a label for each face. They are drawn, described and compared; "
-            "faces of label -1 are of no segment. {stem} as in -o.");
-  input.add_choice("--labels-from", raw.options.side_files.labels_from, set_kinds, "SETS",
-                   "The same with the groups (.obj; nodes of .gltf), materials (.obj, .gltf) or "
-                   "solids (.stl) of the INPUT. Segments have their names.");
-}
-
-void add_outputs(CLI::App& app, Raw_options& raw)
-{
-  const Option_group output(app, "Output");
-  output.add_repeatable(
-    "-o,--output", raw.outputs, "FILE",
-    "Repeatable: .html .png .ply .glb .seg .csv ...\n"
-    "{stem} in FILE is the name of the input. The file name extension selects the "
-    "format: .html (a page to view and rotate the mesh, with every number of "
-    "segments), .png (a picture), .ply, .off, .obj, .vtp (the mesh with its "
-    "segments in colors or groups; .vtp is for ParaView; the faces of .obj are "
-    "ordered by segment, and a .mtl beside it has the colors, unless it is a "
-    "pipe), .glb, .3mf, .stl (a part for each segment, to be shown or printed), "
-    ".msh (for gmsh: a physical group a segment), .step (for CAD: a solid of the "
-    "faces of a machine part), .seg (the label of each face on a line), .csv (a "
-    "table: area, volume, shape ... of each segment), .json (all of it). With .gz "
-    "after it a file is compressed. {segment} in FILE: a mesh for each segment. "
-    "FORMAT:FILE is a file of any extension in a format, as csv:- is a table on "
-    "stdout. A file appears whole or not at all; stdout, a device or a pipe can be "
-    "left half written.");
-  output.add_flag("--solids",
-                  "Each segment of a mesh that -o writes is a closed solid, to be printed: caps "
-                  "close its borders.");
-  output.add_flag("--painted",
-                  "A .3mf that -o writes is the mesh in one piece, its triangles painted for the "
-                  "extruders 1 to 15 of a slicer, which can change the colors.");
-  output.add_repeatable("--borders", raw.borders, "FILE",
-                        "Repeatable. The borders between segments as polylines: .obj or .vtp.");
-  output.add_choice("--up", raw.options.view.up, up_directions, "AXIS",
-                    "Of pictures and pages: x, y (default), z, -x, -y or -z.");
-  output.add("--view", raw.view, "AZIMUTH ELEVATION",
-             "Of pictures: where the viewer stands, in degrees: around the axis that is up "
-             "(y: from z toward x, z: from x toward y, x: from y toward z), and above. "
-             "Default: where most segments are seen.");
-  output.add("--size", raw.size, "WIDTHxHEIGHT",
-             "Of pictures, in pixels, or N for NxN. Default: 800x600.");
-  output.add_choice("--color", raw.options.coloring, colorings, "BY",
-                    "Of pictures and pages, what colors tell apart: segment (default), or kind, of "
-                    "the surfaces of --method smooth-faces: plane (blue), cylinder (red), cone "
-                    "(green), sphere (yellow), torus (light blue), freeform (purple), several "
-                    "faces (grey).");
+  app.add_option("INPUT", raw.options.inputs);
+  add_choice(app, "--input-format", raw.options.input_format, formats);
+  app.add_flag("--demo");
+  add_option(app, "--labels", raw.options.side_files.labels, "FILE");
+  add_choice(app, "--labels-from", raw.options.side_files.labels_from, set_kinds);
 }
 
 void add_segmentation(CLI::App& app, Raw_options& raw)
 {
-  const Option_group segmentation(app, "Segmentation");
-  segmentation.add("-k,--segments", raw.number_of_segments, "N",
-                   "Number of segments. Default: chosen automatically.");
-  segmentation.add_choice(
-    "--method", raw.options.settings.method, methods, "METHOD",
-    "learned, smooth-faces, visibility or two-step.\n"
-    "learned (default): parts as people see them;\n"
-    "smooth-faces: the faces of a machine part;\n"
-    "visibility: parts by a formula;\n"
-    "two-step: Yang et al. 2014; without -k all regions between the features.");
-  segmentation.add("--constraints", raw.options.side_files.constraints, "FILE",
-                   "Edges that are borders between segments, whatever the method. A line of the "
-                   "file is a sequence of points of the mesh, consecutive ones joined by edges; "
-                   "points are given by index, starting from 0. {stem} as in -o.");
-  segmentation.add_choice(
-    "--constraints-from", raw.options.side_files.constraints_from, set_kinds, "SETS",
-    "The borders of groups, materials or solids of the INPUT are borders between "
-    "segments, too.");
-  segmentation.add("--seeds", raw.options.side_files.seeds, "FILE",
-                   "Faces that belong together, and faces that do not. A line of the file is the "
-                   "index of a face and its seed, both starting from 0: equal seeds end in one "
-                   "segment, different ones in different segments. {stem} as in -o.");
-  segmentation.add_flag(
-    "--no-links", "Components stay apart. Default: those that touch or are near each other are "
-                  "adjacent, and -k counts parts, not components.");
-  segmentation.add_flag("--smooth-borders",
-                        "Move the borders to where they are shorter and lie in valleys, by minimum "
-                        "cuts. Segments of different numbers are no longer nested.");
-  segmentation.add_choice(
-    "--features", raw.options.settings.features, features, "KIND",
-    "For two-step: edges that can be features: concave (default), convex or all.");
-  segmentation.add("--max-angle", raw.options.settings.maximum_angle, "DEGREES",
-                   "For two-step: the angle between the normals of two faces above which their "
-                   "edge is a feature. Default: 1.2372.");
-  segmentation.add("--tolerance", raw.options.settings.tolerance, "DISTANCE",
-                   "For smooth-faces: the largest distance of a vertex from the surface of its "
-                   "face, in units of the mesh; for a scan, five times its noise. Default: 0, "
-                   "found from the mesh.");
+  add_option(app, "-k,--segments", raw.number_of_segments, "N");
+  add_choice(app, "--method", raw.options.settings.method, methods);
+  add_option(app, "--constraints", raw.options.side_files.constraints, "FILE");
+  add_choice(app, "--constraints-from", raw.options.side_files.constraints_from, set_kinds);
+  add_option(app, "--seeds", raw.options.side_files.seeds, "FILE");
+  app.add_flag("--no-links");
+  app.add_flag("--smooth-borders");
+  add_choice(app, "--features", raw.options.settings.features, features);
+  add_option(app, "--max-angle", raw.options.settings.maximum_angle, "DEGREES");
+  add_option(app, "--tolerance", raw.options.settings.tolerance, "DISTANCE");
+}
+
+void add_outputs(CLI::App& app, Raw_options& raw)
+{
+  add_repeatable(app, "-o,--output", raw.outputs);
+  app.add_flag("--solids");
+  app.add_flag("--painted");
+  add_repeatable(app, "--borders", raw.borders);
+  add_choice(app, "--up", raw.options.view.up, up_directions);
+  add_option(app, "--view", raw.view, "AZIMUTH ELEVATION");
+  add_option(app, "--size", raw.size, "WIDTHxHEIGHT");
+  add_choice(app, "--color", raw.options.coloring, colorings);
+  add_repeatable(app, "--truth", raw.options.truths);
 }
 
 void add_run_options(CLI::App& app, Raw_options& raw)
 {
-  Option_group(app, "Comparison")
-    .add_repeatable("--truth", raw.options.truths, "FILE.seg",
-                    "Print the distance to this segmentation.\n"
-                    "Repeatable. {stem} as in -o. There are five measures, and their means if "
-                    "there are several files.");
-  const Option_group run(app, "Run");
-  run
-    .add("--threads", raw.number_of_threads, "N",
-         "Most threads for a mesh. Default: 0, one for each core.")
-    ->take_last();
-  run.add_flag("-q,--quiet", "No progress and remarks, and no line for a mesh.");
-  app.set_help_flag("-h", "Print the options that are used most, and exit.")->group("Run");
-  app.set_help_all_flag("--help", "Print all options, and exit.")->group("Run");
-  app
-    .set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION,
-                      "Print the version, and exit.")
-    ->group("Run");
+  add_option(app, "--threads", raw.number_of_threads, "N")->take_last();
+  app.add_flag("-q,--quiet");
+  app.set_version_flag("--version", "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION);
 }
 
-constexpr const char* summary = "segment_mesh " CGAL_REGION_SEGMENTATION_VERSION
-                                " segments surface meshes into parts.";
-
-constexpr const char* short_footer = R"(Examples:
-  segment_mesh mesh.off                     says how many parts it sees
-  segment_mesh mesh.off -o mesh.html        a page to view them in a browser
-  segment_mesh mesh.off -k 9 -o parts.ply   nine parts, in colors
-  segment_mesh --demo -o demo.png           a picture of a model of its own
-
-segment_mesh --help lists all options.)";
-
-constexpr const char* long_summary =
-  R"(Segments surface meshes into parts, and prints a line for each: its faces, the
-regions that were merged, the segments, and the time from the mesh in memory to
-the labels. Meshes need not be manifold, oriented or connected; labels come back
-for each face of the file. Output files are written completely or not at all.
-)";
-
-constexpr const char* long_footer = R"(Examples:
-  segment_mesh armadillo.off -o armadillo.html
-      A page to view and rotate the parts, and to change their number.
-  segment_mesh armadillo.off -k 9 -o armadillo.seg -o parts.ply
-      Nine parts: labels, and the mesh in colors.
-  segment_mesh gear.stl --method smooth-faces -o 'gear_{segment}.obj'
-      A file for each face of a machine part.
-  segment_mesh *.off -k 7 -o 'parts/{stem}.vtp' --quiet
-      A batch, for ParaView.
-  segment_mesh a.off --labels a.seg --truth b.seg -o a.csv
-      Compare and describe existing segments.
-  segment_mesh a.off -q -o csv:- | sort
-      A table on stdout.
-
-Exit status:
-  0  done
-  1  an input could not be read, or an output could not be written; the others
-     of a batch are done
-  2  wrong usage)";
-
-/// The help on the options that people need first, a line for each.
-std::string short_help(CLI::App& app)
+/// That there is no such option, but maybe one that begins with the same two letters.
+Usage_error unknown_option(const CLI::App& app, const std::string& word)
 {
-  const std::string first[] = {"INPUT",    "--demo",   "--labels", "--segments",
-                               "--method", "--output", "--truth",  "--up",
-                               "--size",   "--quiet",  "-h",       "--help"};
-  for (CLI::Option* option : app.get_options())
-    option->group("");
-  for (const std::string& name : first) {
-    CLI::Option* const option = app.get_option(name);
-    const std::string text = option->get_description();
-    option->description(text.substr(0, text.find('\n')))->group("Options");
+  std::size_t longest = 3; // of "--" and a letter
+  std::string nearest;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& long_name : option->get_lnames()) {
+      const std::string name = "--" + long_name;
+      const auto differs = std::mismatch(name.begin(), name.end(), word.begin(), word.end());
+      if (const auto length = std::size_t(differs.first - name.begin()); length > longest) {
+        longest = length;
+        nearest = "; did you mean " + name + "?";
+      }
+    }
+  return Usage_error(word + ": no such option" + nearest);
+}
+
+/// The lines of help.txt on one option, all of them (`all`), or the table without further lines on
+/// each option, if no option is given.
+/// \throws Usage_error for an option that is not there
+std::string help(const CLI::App& app, const std::string& option)
+{
+  const std::string indentation(27, ' '); // of further lines
+  if (option == "all")
+    return embedded::help_txt;
+  std::string result;
+  bool is_of_option = false;
+  std::istringstream lines(embedded::help_txt);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_further_line = line.substr(0, indentation.size()) == indentation;
+    if (!is_further_line) {
+      const std::string names = line.size() < 3 ? "" : line.substr(2, line.find(' ', 2) - 2);
+      is_of_option = ("," + names + ",").find("," + option + ",") != std::string::npos;
+    }
+    if (option.empty() ? !is_further_line : is_of_option)
+      result += line + "\n";
   }
-  app.description(summary);
-  app.footer(short_footer);
-  return app.help();
+  if (result.empty())
+    throw unknown_option(app, option);
+  return result;
 }
 
-std::string long_help(CLI::App& app)
-{
-  app.description(long_summary);
-  app.footer(long_footer);
-  return app.help();
-}
+/// The greatest number of a range that the mesh limits.
+constexpr std::size_t number_of_faces = (std::numeric_limits<std::size_t>::max)();
 
 struct Range
 {
@@ -338,8 +195,9 @@ std::size_t whole_number(const std::string& option, const std::string& word, con
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, value);
   if (error != std::errc() || rest != end || value < range.least || value > range.greatest)
-    throw Usage_error(option + " " + word + ": not a whole number from " +
-                      std::to_string(range.least) + " to " + std::to_string(range.greatest));
+    throw Usage_error(
+      option + " " + word + ": not a whole number from " + std::to_string(range.least) + " to " +
+      (range.greatest == number_of_faces ? "the number of faces" : std::to_string(range.greatest)));
   return value;
 }
 
@@ -432,8 +290,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
   options.is_demo = app.count("--demo") > 0;
   options.outputs = make_outputs(app, raw);
   if (app.count("--segments") > 0)
-    options.settings.number_of_segments = whole_number(
-      "-k", raw.number_of_segments, {1, (std::numeric_limits<std::size_t>::max)()});
+    options.settings.number_of_segments = whole_number("-k", raw.number_of_segments,
+                                                       {1, number_of_faces});
   options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
   const double angle = options.settings.maximum_angle.value_or(0),
                tolerance = options.settings.tolerance;
@@ -454,30 +312,32 @@ Options checked(const CLI::App& app, const Raw_options& raw)
 
 std::optional<Options> parse_command_line(int argc, const char* const* argv)
 {
-  CLI::App app("", "segment_mesh");
+  CLI::App app;
   Raw_options raw;
   add_inputs(app, raw);
   add_segmentation(app, raw);
   add_outputs(app, raw);
   add_run_options(app, raw);
-  app.get_formatter()->column_width(25);
-  if (argc <= 1) {
-    std::cout << short_help(app);
-    return std::nullopt;
-  }
+  const char* const* const end = argv + argc;
+  const char* const* const asked = std::find_if(
+    argv, end, [](std::string_view word) { return word == "-h" || word == "--help"; });
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << short_help(app);
-    return std::nullopt;
-  } catch (const CLI::CallForAllHelp&) {
-    std::cout << long_help(app);
-    return std::nullopt;
+    if (argc > 1 && asked == end)
+      app.parse(argc, argv);
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << "\n";
     return std::nullopt;
+  } catch (const CLI::CallForHelp&) { // among other letters: -qh
+    std::cout << help(app, "");
+    return std::nullopt;
+  } catch (const CLI::ExtrasError&) {
+    throw unknown_option(app, app.remaining().front());
   } catch (const CLI::ParseError& error) {
     throw Usage_error(error.what());
+  }
+  if (argc <= 1 || asked != end) {
+    std::cout << help(app, asked + 1 < end ? asked[1] : "");
+    return std::nullopt;
   }
   return checked(app, raw);
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <system_error>
 
 namespace segment_mesh {
 
@@ -86,6 +87,10 @@ Mesh_format mesh_format(const std::string& file)
 {
   if (file == standard_input)
     throw Input_error(file, "the format of standard input is not known: --input-format");
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored))
+    throw Input_error(file, "is a folder; its meshes are named as " +
+                              (fs::path(file) / "*.off").string());
   const std::string ending = ending_of(without_gz(file).string());
   for (const auto& [name, format] : mesh_formats())
     if (name == ending)
