@@ -213,7 +213,7 @@ def check(program, folder, mesh, parts, options):
     for part in range(parts.max() + 1):
         shares = numpy.bincount(labels[parts == part], areas[parts == part]) / areas[parts == part].sum()
         best.append(shares.argmax())
-        assert shares.max() > 0.7, (part, shares)
+        assert shares.max() > (0.7 if options else 0.4), (part, shares) # a chosen number may divide one in two
     assert len(set(best)) == len(best), best
 
 
