@@ -58,6 +58,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       check_jobs(*options);
   } catch (const Usage_error& error) {
     require(std::string(error.what()).find('\n') == std::string::npos, "a message is a line");
+  } catch (const Output_error& error) { // a folder that is not there
+    require(std::string(error.what()).find('\n') == std::string::npos, "a message is a line");
   }
   return 0;
 }
