@@ -184,6 +184,8 @@ void write_all_scores(const Options& options, const std::vector<Loaded>& loaded,
     for (const std::size_t draws : options.draws)
       write_scores("out of fold (draws: " + std::to_string(draws) + ")", loaded[i], models[i],
                    method_with(without, draws));
+    if (loaded[i].source.collection == "sheets") // of which a camera may see nothing
+      continue;
     for (const Copying& variant : all_kinds(options)) {
       const princeton_benchmark::Model model = copied(loaded[i].model, variant,
                                                       unsigned(models.size() + i));
