@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <random>
 #include <string>

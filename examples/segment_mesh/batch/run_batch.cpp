@@ -7,18 +7,14 @@
 #include "read/errors.h"
 #include "read/read_marks.h"
 #include "read/read_mesh.h"
-#include "soup/vector_algebra.h"
+#include "soup/looks_like_machine_part.h"
 #include "write/write_segmentation.h"
 
 #include <CGAL/Region_segmentation/Support/exceptions.h>
 
-#include <boost/unordered_map.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -209,50 +205,6 @@ std::string describe(const Job& job, const Case& input, const Segmentation& segm
     return start + segments + "\n";
   return start + counted(segmentation.number_of_regions, "region") + ", " + segments + ", " +
          in_seconds(segmentation.seconds) + "\n";
-}
-
-/// A plane with some faces of a mesh.
-struct Plane
-{
-  std::size_t number_of_faces = 0;
-  double area = 0;
-};
-
-/// The planes of the faces; those with nearly the same normal and distance are one.
-std::vector<Plane> planes_of_faces(const Polygon_soup& soup, double area)
-{
-  constexpr double steps = 500;
-  boost::unordered_map<std::array<long, 4>, Plane> planes;
-  for (const Polygon_soup::Polygon& polygon : soup.polygons) {
-    const Point vector = area_vector(soup.points, polygon), normal = unit_vector(vector);
-    const double distance = inner_product(normal, minus(soup.points[polygon[0]], soup.points[0]));
-    const std::array<long, 4> key = {std::lround(steps * normal[0]), std::lround(steps * normal[1]),
-                                     std::lround(steps * normal[2]),
-                                     std::lround(steps * distance / std::sqrt(area))};
-    Plane& plane = planes[key];
-    ++plane.number_of_faces;
-    plane.area += length(vector) / 2;
-  }
-  std::vector<Plane> result;
-  for (const auto& entry : planes)
-    result.push_back(entry.second);
-  return result;
-}
-
-/// Whether more than a fifth of the area is in several planes, each with several faces and 1/100 of
-/// it: what a CAD program makes is so, what a scanner or a sculptor makes hardly ever.
-bool looks_like_machine_part(const Polygon_soup& soup)
-{
-  double area = 0, area_of_large_planes = 0;
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    area += length(area_vector(soup.points, polygon)) / 2;
-  std::size_t number_of_large_planes = 0;
-  for (const Plane& plane : planes_of_faces(soup, area))
-    if (plane.number_of_faces > 1 && plane.area >= 0.01 * area) {
-      ++number_of_large_planes;
-      area_of_large_planes += plane.area;
-    }
-  return number_of_large_planes > 1 && area_of_large_planes > 0.2 * area;
 }
 
 void write_outputs(const Job& job, const Result& result, Verbosity verbosity, Job_report& report)

@@ -2,7 +2,7 @@
 
 #include "copies.h"
 
-#include "field_copies.h"
+#include "random_numbers.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Bbox_3.h>
@@ -31,7 +31,6 @@ namespace princeton_benchmark {
 
 namespace {
 
-// The standard fixes the numbers of this engine, but not those of its distributions.
 using Engine = std::mt19937;
 
 std::vector<std::size_t> numbers_up_to(std::size_t n)
@@ -143,8 +142,7 @@ std::vector<std::size_t> nearest_faces(const Soup& soup, const Soup& other)
   using Place = bg::model::point<double, 3, bg::cs::cartesian>;
   using Item = std::pair<Place, std::size_t>;
   const auto place = [](const Soup& s, std::size_t f) {
-    const auto& corners = s.triangles[f];
-    const Point p = centroid(s.points[corners[0]], s.points[corners[1]], s.points[corners[2]]);
+    const Point p = centroid_of(s, f);
     return Place(p.x(), p.y(), p.z());
   };
   std::vector<Item> items;
@@ -179,7 +177,7 @@ double deviate(Engine& random)
 {
   double sum = -6;
   for (int i = 0; i < 12; ++i)
-    sum += std::ldexp(double(random()), -32);
+    sum += uniform(random);
   return sum;
 }
 
@@ -255,6 +253,23 @@ Copy with_normal_noise(const Soup& soup, double share, unsigned seed)
 
 } // namespace
 
+Point centroid_of(const Soup& soup, std::size_t face)
+{
+  return centroid(soup.points[soup.triangles[face][0]], soup.points[soup.triangles[face][1]],
+                  soup.points[soup.triangles[face][2]]);
+}
+
+Copy with_faces(const Soup& soup, const std::vector<bool>& is_kept)
+{
+  Copy copy{{soup.points, {}}, {}, {}};
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    if (is_kept[f]) {
+      copy.soup.triangles.push_back(soup.triangles[f]);
+      copy.source.push_back(f);
+    }
+  return copy;
+}
+
 const std::vector<Copying>& variants()
 {
   static const std::vector<Copying> all = {
@@ -267,16 +282,6 @@ const std::vector<Copying>& variants()
     {"half of the edges", [](const Model& m, unsigned) { return decimated(m.soup, 0.5); }},
     {"holes of 1 % of the faces",
      [](const Model& m, unsigned seed) { return with_holes(m.soup, 0.01, seed); }}};
-  return all;
-}
-
-const std::vector<Copying>& field_copies()
-{
-  static const std::vector<Copying> all = {
-    {"seen from one side",
-     [](const Model& m, unsigned seed) { return seen_from_one_side(m.soup, seed); }},
-    {"cut in half", [](const Model& m, unsigned seed) { return cut_in_half(m.soup, seed); }},
-    {"closed pieces", in_closed_pieces}};
   return all;
 }
 

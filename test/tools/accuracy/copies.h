@@ -20,6 +20,11 @@ struct Copy
   std::optional<std::size_t> person; ///< the only one whose labels the copy has; none: everyone's
 };
 
+/// The faces that `is_kept` says, by face. The points stay.
+Copy with_faces(const Soup& soup, const std::vector<bool>& is_kept);
+
+Point centroid_of(const Soup& soup, std::size_t face);
+
 /// A kind of copies. Equal seeds give equal copies.
 struct Copying
 {
@@ -31,9 +36,6 @@ struct Copying
 /// deviation of each coordinate as a share of the mean edge length; a share of the edges left by
 /// edge collapse; holes of ten faces, each around a random one.
 const std::vector<Copying>& variants();
-
-/// Also learned from and scored: a model as the field has it, see `field_copies.h`.
-const std::vector<Copying>& field_copies();
 
 /// Copies whose segments should be those of the mesh: points, faces and first corners in another
 /// order; a random rotation, scaling and translation; coordinates of five digits; noise, the

@@ -31,11 +31,6 @@ Point corner(const Soup& soup, std::size_t face, std::size_t i)
   return soup.points[soup.triangles[face][i]];
 }
 
-Point centroid_of(const Soup& soup, std::size_t face)
-{
-  return centroid(corner(soup, face, 0), corner(soup, face, 1), corner(soup, face, 2));
-}
-
 Point mean(const std::vector<Point>& points)
 {
   Vector sum = CGAL::NULL_VECTOR;
@@ -183,17 +178,6 @@ void add_scaled(Copy& copy, const Copy& piece, double scale)
 
 } // namespace
 
-Copy with_faces(const Soup& soup, const std::vector<bool>& is_kept)
-{
-  Copy copy{{soup.points, {}}, {}, {}};
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
-    if (is_kept[f]) {
-      copy.soup.triangles.push_back(soup.triangles[f]);
-      copy.source.push_back(f);
-    }
-  return copy;
-}
-
 Copy seen_from_one_side(const Soup& soup, unsigned seed)
 {
   constexpr double least_share = 0.02;
@@ -243,6 +227,16 @@ Copy in_closed_pieces(const Model& model, unsigned seed)
     add_scaled(copy, closed, scale);
   }
   return copy;
+}
+
+const std::vector<Copying>& field_copies()
+{
+  static const std::vector<Copying> all = {
+    {"seen from one side",
+     [](const Model& m, unsigned seed) { return seen_from_one_side(m.soup, seed); }},
+    {"cut in half", [](const Model& m, unsigned seed) { return cut_in_half(m.soup, seed); }},
+    {"closed pieces", in_closed_pieces}};
+  return all;
 }
 
 } // namespace princeton_benchmark

@@ -9,9 +9,6 @@
 
 namespace princeton_benchmark {
 
-/// The faces that `is_kept` says, by face.
-Copy with_faces(const Soup& soup, const std::vector<bool>& is_kept);
-
 /// What a depth camera sees from a random direction: the faces whose centroids nothing hides, and
 /// that are not seen edge on. Pieces of less than 2 % of the faces are left out.
 Copy seen_from_one_side(const Soup& soup, unsigned seed);
@@ -25,6 +22,9 @@ Copy cut_in_half(const Soup& soup, unsigned seed);
 /// one piece. Each piece is closed by fans, whose triangles come from the faces beside them, and
 /// scaled by 1.01 about the mean of its vertices.
 Copy in_closed_pieces(const Model& model, unsigned seed);
+
+/// These, which are learned from and scored beside the variants: a model as the field has it.
+const std::vector<Copying>& field_copies();
 
 } // namespace princeton_benchmark
 

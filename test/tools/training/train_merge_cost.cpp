@@ -10,6 +10,7 @@
 #include "Tree_distances.h"
 #include "copies.h"
 #include "cross_validation.h"
+#include "field_copies.h"
 #include "fingerprint.h"
 #include "models.h"
 #include "sheets.h"

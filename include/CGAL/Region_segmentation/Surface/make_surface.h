@@ -46,10 +46,10 @@ Surface build_surface(Builder builder, Adjacent adjacent, const Execution& execu
     builder.orient_faces();
   }
   builder.collect_adjacencies(execution.step(0.3, 0.9));
-  const std::optional<Face_tree> tree = builder.orient_components();
+  const std::optional<Voids> voids = builder.orient_components();
   if (adjacent == Adjacent::LINKED_COMPONENTS) {
-    if (tree)
-      builder.link_voids(*tree, execution.step(0.9, 0.95));
+    if (voids)
+      builder.link_voids(*voids, execution.step(0.9, 0.95));
     builder.link_components(execution.step(0.95, 1));
   }
   return builder.finish();

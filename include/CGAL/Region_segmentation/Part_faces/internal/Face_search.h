@@ -47,8 +47,7 @@ struct Face_search
   }
 
   bool is_found(Index face) const { return labels[face] != none; }
-  bool is_sure_plane(Index face) const { return is_sure[mesh.facet_of(face)]; }
-  bool may_be_curved(Index face) const { return !is_found(face) && !is_sure_plane(face); }
+  bool may_be_curved(Index face) const { return !is_found(face) && !is_sure[mesh.facet_of(face)]; }
 
   template <typename Faces>
   void add(const Fitted_surface<>& s, const Faces& faces)

@@ -321,9 +321,6 @@ private:
   double m_size = 0, m_weight = 0;
 };
 
-/// The median of the absolute value of a normal variable, in standard deviations.
-inline constexpr double median_of_normal = 0.6745;
-
 /// The i-th of numbers below n that are spread evenly however many are taken, at multiples of the
 /// golden ratio: in the order of vertices, every second or third one may lie on one circle.
 inline std::size_t evenly_spread_index(std::size_t i, std::size_t n)

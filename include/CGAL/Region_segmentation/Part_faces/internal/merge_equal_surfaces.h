@@ -11,7 +11,6 @@
 #include <CGAL/Region_segmentation/Surface/internal/components.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>

@@ -158,7 +158,8 @@ inline double error_of_flat_pairs(const Surface& surface, double size, double le
     return least;
   const std::size_t flat = std::size_t(std::upper_bound(heights.begin(), heights.end(), below) -
                                        heights.begin());
-  constexpr double of_largest = 5; // in standard deviations
+  // Of the absolute value of a normal variable, in standard deviations.
+  constexpr double median_of_normal = 0.6745, of_largest = 5;
   return (std::max)({least, heights[flat / 2] / median_of_normal, heights[flat - 1] / of_largest});
 }
 

@@ -51,6 +51,15 @@ Double_3 to_double_3(const Point& p)
   return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
 }
 
+/// A void is bounded by a closed component of negative volume. Its *body* is the innermost closed
+/// component around it, which has a positive volume.
+struct Voids
+{
+  Face_tree tree; ///< of the surface
+  /// By component the body whose void it bounds; `Surface::none`, if it bounds none.
+  std::vector<Surface::Index> bodies;
+};
+
 /// A surface while it is made. It owns the arrays until `finish()`. Its phases are the member
 /// functions, which `build_surface()` calls.
 ///
@@ -139,12 +148,12 @@ public:
   std::vector<Index> remove_faces(const std::vector<bool>& is_removed);
   /// @}
 
-  /// Turns closed components that are inside out, in orient_faces.h. Returns the tree of the faces
-  /// if there were some of negative volume.
-  std::optional<Face_tree> orient_components();
+  /// Turns closed components that are inside out, in orient_faces.h. Returns the voids, if some
+  /// component had a negative volume.
+  std::optional<Voids> orient_components();
 
-  /// Finds voids, and links their faces with the bodies around them, in voids.h.
-  void link_voids(const Face_tree& tree, const Execution& execution);
+  /// Links the faces of voids with the bodies around them, in voids.h.
+  void link_voids(const Voids& voids, const Execution& execution);
 
   /// Links components and marks crumbs, in find_links.h.
   void link_components(const Execution& execution);

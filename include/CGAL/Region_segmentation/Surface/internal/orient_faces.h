@@ -203,22 +203,32 @@ inline Components_around find_components_around(const Surface& surface, const Fa
 
 /// Turns the outermost closed components of negative signed volume, together with the closed
 /// components inside them. Sets the signs of all angles, if there are such components or seams.
-inline std::optional<Face_tree> Surface_builder::orient_components()
+inline std::optional<Voids> Surface_builder::orient_components()
 {
-  std::optional<Face_tree> tree;
   const std::vector<Component_volume> volumes = component_volumes(*this);
-  if (std::any_of(volumes.begin(), volumes.end(),
-                  [](const auto& v) { return v.is_inside_out(); })) {
-    tree.emplace(*this);
-    const std::vector<Index> outermost = find_components_around(*this, *tree, volumes).outermost;
-    for (std::size_t f = 0; f < number_of_faces(); ++f)
-      if (const Index c = m_component_of[f];
-          volumes[c].is_closed() && volumes[outermost[c]].is_inside_out())
-        turn_face(f);
+  if (std::none_of(volumes.begin(), volumes.end(),
+                   [](const auto& v) { return v.is_inside_out(); })) {
+    if (has_seams_or_links())
+      set_signs();
+    return std::nullopt;
   }
-  if (tree || has_seams_or_links())
-    set_signs();
-  return tree;
+  Voids voids{Face_tree(*this), {}};
+  const Components_around around = find_components_around(*this, voids.tree, volumes);
+  const auto is_turned = [&](Index c) {
+    return volumes[c].is_closed() && volumes[around.outermost[c]].is_inside_out();
+  };
+  for (std::size_t f = 0; f < number_of_faces(); ++f)
+    if (is_turned(m_component_of[f]))
+      turn_face(f);
+  const auto is_negative = [&](Index c) { // now
+    return is_turned(c) ? volumes[c].volume > 0 : volumes[c].is_inside_out();
+  };
+  for (Index c = 0; c < volumes.size(); ++c) {
+    const Index inner = around.innermost[c];
+    voids.bodies.push_back(is_negative(c) && !is_negative(inner) ? inner : none);
+  }
+  set_signs();
+  return voids;
 }
 
 } // namespace internal

@@ -9,7 +9,6 @@
 #include <CGAL/Region_segmentation/Surface/internal/Box_tree.h>
 #include <CGAL/Region_segmentation/Surface/internal/Surface_builder.h>
 #include <CGAL/Region_segmentation/Surface/internal/find_links.h>
-#include <CGAL/Region_segmentation/Surface/internal/orient_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -22,22 +21,6 @@
 namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
-
-/// By component the body whose void it bounds; `Surface::none`, if it bounds none. A void is
-/// bounded by a closed component of negative volume. Its *body* is the innermost closed component
-/// around it, which has a positive volume.
-///
-/// \pre outermost components that were inside out are turned
-inline std::vector<Surface::Index> bodies_of_voids(const Surface& surface, const Face_tree& tree)
-{
-  using Index = Surface::Index;
-  const std::vector<Component_volume> volumes = component_volumes(surface);
-  std::vector<Index> result = find_components_around(surface, tree, volumes).innermost;
-  for (Index c = 0; c < result.size(); ++c)
-    if (!volumes[c].is_inside_out() || volumes[result[c]].is_inside_out())
-      result[c] = Surface::none;
-  return result;
-}
 
 /// The face of a component that is nearest to a point, of several the first one found.
 ///
@@ -106,13 +89,14 @@ inline std::vector<Surface::Index> faces_around_voids(const Surface& surface, co
   return result;
 }
 
-/// Finds voids, and links each of their faces with the nearest face of the body around it.
-inline void Surface_builder::link_voids(const Face_tree& tree, const Execution& execution)
+/// Links each face of a void with the nearest face of the body around it.
+inline void Surface_builder::link_voids(const Voids& voids, const Execution& execution)
 {
-  m_bodies = bodies_of_voids(*this, tree);
-  if (std::size_t(std::count(m_bodies.begin(), m_bodies.end(), none)) == m_bodies.size())
-    return m_bodies.clear();
-  const std::vector<Index> around = faces_around_voids(*this, tree, m_bodies, execution);
+  if (std::size_t(std::count(voids.bodies.begin(), voids.bodies.end(), none)) ==
+      voids.bodies.size())
+    return;
+  m_bodies = voids.bodies;
+  const std::vector<Index> around = faces_around_voids(*this, voids.tree, m_bodies, execution);
   std::vector<Added_adjacency> links;
   for (Index f = 0; f < around.size(); ++f)
     if (around[f] != none)
