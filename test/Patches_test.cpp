@@ -71,10 +71,39 @@ TEST(Patches_test, another_round_follows_one_that_joined_one_of_32)
   // In a row of four squares the first round makes two pairs, the second one joins these.
   const auto patches_of_row = [](std::size_t number_of_others) {
     const Soup others = translated(scaled(grid(number_of_others, 1), 300), 100, 0, 0);
-    return patches_of(unlinked(joined(grid(4, 1), others))).fine.size() - number_of_others;
+    const double side = 0.0018 * 300 * std::sqrt(double(number_of_others));
+    return patches_of(unlinked(joined(scaled(grid(4, 1), side), others))).fine.size() -
+           number_of_others;
   };
   EXPECT_EQ(patches_of_row(60), 1u); // 2 of 64
   EXPECT_EQ(patches_of_row(92), 2u); // 2 of 96
+}
+
+/// A row of rectangles, each turned by an angle against the one before, beside a square of area 1.
+/// Two of them may be a patch, three are too large.
+RS::Surface turning_row(const std::vector<double>& angles)
+{
+  const double width = 0.0014, height = 0.0042;
+  Soup row;
+  double x = 2, z = 0, direction = 0;
+  for (std::size_t i = 0; i <= angles.size(); ++i) {
+    row.points.insert(row.points.end(), {{x, 0, z}, {x, height, z}});
+    if (i > 0)
+      row.polygons.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
+    direction += i < angles.size() ? angles[i] : 0;
+    x += width * std::cos(direction);
+    z += width * std::sin(direction);
+  }
+  return unlinked(joined(row, grid(1, 1)));
+}
+
+TEST(Patches_test, a_face_joins_a_patch_of_lower_faces_whose_first_face_is_near_and_has_its_normal)
+{
+  const auto patches_of_row = [](const std::vector<double>& angles) {
+    return labels_of(patches_of(turning_row(angles)).fine.of_elements());
+  };
+  EXPECT_EQ(patches_of_row({0, 0.05, 0.05, 0.05}), (Labels{0, 0, 1, 1, 2}));
+  EXPECT_EQ(patches_of_row({0, 0.1, 0, 0.1}), (Labels{0, 1, 1, 2, 3}));
 }
 
 using Lengths = std::map<std::pair<std::size_t, std::size_t>, double>;

@@ -53,6 +53,9 @@ public:
   /// The adjacencies across seams and links, in the same order.
   const Large_array<Adjacency>& contacts() const { return m_contacts; }
 
+  /// The adjacencies of the surface between two patches of its faces, in order.
+  const Large_array<Index>& borders() const { return m_borders; }
+
   /// The angle between the normals of two adjacent patches, in radians, if they face each other;
   /// else, or if one of them has no normal, 0.
   double concave_deviation(const Adjacency& adjacency) const
@@ -70,18 +73,27 @@ private:
   Partition m_of_elements;
   Large_array<Patch> m_patches;
   Large_array<Adjacency> m_adjacencies, m_contacts;
+  Large_array<Index> m_borders;
 };
 
 /// \ingroup PkgRegionSegmentationData
 /// Two partitions of the faces of a mesh into small flat patches, a fine one and a coarse one of
 /// its patches: what stages work on whose cost must not grow with the resolution of the mesh.
 ///
-/// Patches are connected across edges. At first each face is a patch; then patches are
-/// joined in rounds:
+/// Patches are connected across edges. At first each face, in order, joins a patch of lower faces
+/// that are adjacent to it: the one whose first face is nearest, of several that of the lowest of
+/// these faces, among those with which
+/// - the centroid of the first face is less than `maximum_radius` \f$\sqrt{A}\f$ away, \f$A\f$ the
+///   area of the surface,
+/// - the unit normal of the first face differs by a vector of length at most `maximum_deviation`,
+/// and
+/// - its area is at most `maximum_area`.
+///
+/// A face without such a patch begins one. Then patches are joined in rounds:
 /// -# Each patch selects the adjacent patch with the smallest step
 ///    \f$|c_i - c_j| / \sqrt{A} + w \, |n_i - n_j|\f$, rounded to `float`, among those with which
 ///    its area is at most `maximum_area`; of several, the lower one. \f$c\f$ are the centroids,
-///    \f$n\f$ the unit normals (zero for a degenerate face), \f$A\f$ the area of the surface.
+///    \f$n\f$ the unit normals (zero for a degenerate face).
 /// -# The selections form trees. A root is a patch that selects none, or the larger one by area of
 ///    two that select each other, of equal ones the lower one. A patch of odd depth is joined to
 ///    its parent, and a leaf of even depth to its grandparent; the others of even depth, the root
@@ -93,14 +105,16 @@ private:
 /// Rounds end when one joins none of `n` patches, or has joined less than `n / 32` (rounded down).
 /// Then the coarse patches are made of the fine ones in the same way, with `maximum_coarse_area`.
 /// So a mesh of few large faces has a patch for each face, and a fine one some twenty to sixty
-/// thousand patches and four to five thousand coarse ones. They do not depend on the numbering of
-/// faces and vertices, ties excepted.
+/// thousand patches and four to five thousand coarse ones. They depend on the order of faces that
+/// are smaller than `maximum_radius`, but not on that of others and of vertices, ties excepted.
 ///
 /// Complexity: O(F) in practice. Deterministic.
 struct Surface_patches
 {
   static constexpr double maximum_area = 1. / 60000; ///< of two patches that are joined, share of
                                                      ///< the surface
+  static constexpr double maximum_radius = 0.0015;   ///< relative length
+  static constexpr double maximum_deviation = 0.06;
   static constexpr double maximum_coarse_area = 1. / 4000; ///< of two coarse patches that are
                                                            ///< joined
   static constexpr double deviation_weight = 0.4;          ///< w, relative length per radian

@@ -137,10 +137,12 @@ struct Superfacet_merging
     const Surface& surface = result.shape(given);
     result.patches = internal::Patch_builder::build(surface, number_of_segments,
                                                     stage.step(0.1, 0.6));
-    std::vector<Requested_regions> draws = draws_for(surface, result.patches, number_of_segments,
-                                                     stage.step(0.6, 1));
+    const std::vector<Partition> draws = draws_for(surface, result.patches, number_of_segments,
+                                                   stage.step(0.6, 1));
     if (const Execution rays = execution.stage("rays"); surface.area() > 0)
-      result.rays = internal::Inward_rays(surface, result.patches, draws.front().regions)
+      result.rays = internal::Inward_rays(
+                      surface, result.patches,
+                      composed(result.patches.fine.of_elements(), draws.front()))
                       .trace(rays);
     take_central_draw(surface, draws, result, execution.stage("draws"));
     return result;
@@ -181,31 +183,30 @@ struct Superfacet_merging
                        const Patches& cells, const Partition& regions,
                        const Execution& execution) const
   {
-    auto graph = build_region_adjacency_graph<typename GraphAnnotator::RegionData,
+    auto graph = internal::build_region_graph<typename GraphAnnotator::RegionData,
                                               typename GraphAnnotator::SectionData>(
-      surface, regions, execution);
+      surface, regions, cells.borders(), execution);
     annotator(graph, surface, regions, Region_rays{rays, Region_shapes(surface, cells, regions)});
     return graph;
   }
 
 private:
-  /// Draws of superfacets, each of at least `number_of_segments`, as regions of the faces.
-  std::vector<Requested_regions> draws_for(const Surface& surface, const Surface_patches& patches,
-                                           std::size_t number_of_segments,
-                                           const Execution& execution) const
+  /// Draws of superfacets, each of at least `number_of_segments`, as regions of the fine patches.
+  std::vector<Partition> draws_for(const Surface& surface, const Surface_patches& patches,
+                                   std::size_t number_of_segments, const Execution& execution) const
   {
-    std::vector<Requested_regions> result; // without seeds
+    std::vector<Partition> result;
     const auto add = [&](const Partition& draw) {
-      const Partition joined = internal::join_degenerate_regions(surface, patches.fine, draw);
+      Partition joined = internal::join_degenerate_regions(surface, patches.fine, draw);
       if (result.empty() || joined.number_of_parts() >= number_of_segments)
-        result.push_back({composed(patches.fine.of_elements(), joined), Seeds()});
+        result.push_back(std::move(joined));
     };
     Superfacets sufficient = superfacets;
     sufficient.number = (std::max)(sufficient.number,
                                    2 * (std::min)(number_of_segments, surface.number_of_faces()));
     for (const Partition& draw : sufficient.draws(surface, patches, number_of_draws, execution))
       add(draw);
-    if (result.front().regions.number_of_parts() < number_of_segments) {
+    if (result.front().number_of_parts() < number_of_segments) {
       result.clear();
       add(Partition::into_single_elements(patches.fine.size()));
     }
@@ -221,7 +222,7 @@ private:
   }
 
   /// Merges each draw, and takes that whose segmentation is nearest to those of the others.
-  void take_central_draw(const Surface& surface, std::vector<Requested_regions>& draws,
+  void take_central_draw(const Surface& surface, const std::vector<Partition>& draws,
                          Prepared& result, const Execution& execution) const
   {
     const Patches &fine = result.patches.fine, &coarse = result.patches.coarse;
@@ -233,12 +234,13 @@ private:
       const Execution step = execution.is_parallel()
                                ? execution.silent()
                                : execution.step(double(i) / double(n), double(i + 1) / double(n));
-      trees[i] = merged(surface, result.rays, fine, draws[i], step);
+      trees[i] = merged(surface, result.rays, fine,
+                        {composed(fine.of_elements(), draws[i]), Seeds()}, step);
       numbers[i] = chooser(trees[i], surface);
       const Partition segments = trees[i].partition_at_count(numbers[i]);
       std::vector<Partition::Index> labels;
       for (std::size_t c = 0; c < coarse.size(); ++c)
-        labels.push_back(segments[draws[i].regions[fine[coarse[c].center].center]]);
+        labels.push_back(segments[draws[i][coarse[c].center]]);
       segmentations[i] = Partition::from_labels(labels);
     });
     std::vector<std::int64_t> areas; // in 2^-26 of the surface
@@ -246,7 +248,7 @@ private:
       areas.push_back(
         std::int64_t(std::ldexp(coarse[c].area * internal::inverse(surface.area()), 26)));
     const std::size_t central = internal::most_central(segmentations, areas);
-    result.regions = std::move(draws[central].regions);
+    result.regions = composed(fine.of_elements(), draws[central]);
     result.tree = std::move(trees[central]);
     result.chosen_number = numbers[central];
   }

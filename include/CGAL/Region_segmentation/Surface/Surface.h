@@ -86,6 +86,8 @@ public:
   /// \name Vertices and corners
   /// @{
   const Double_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// The points of all vertices.
+  const Large_array<Double_3>& points() const { return m_points; }
   /// The vertex that stands for a vertex of the input: the lowest one that was merged with it.
   Index merged_vertex(std::size_t vertex) const
   {

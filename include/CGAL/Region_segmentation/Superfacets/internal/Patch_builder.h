@@ -52,7 +52,7 @@ inline Partition join_every_second_level(const Large_array<Partition::Index>& pa
   return joined.take_partition();
 }
 
-/// Makes the patches of a surface, the fine ones and the coarse ones, in rounds, see
+/// Makes the patches of a surface, the fine ones and the coarse ones, see
 /// `Surface_patches`.
 ///
 /// In parallel, sums over elements are made by one thread for each patch, in the order of the
@@ -69,10 +69,9 @@ public:
                                const Execution& execution)
   {
     Patch_builder joining(surface, execution);
-    const bool is_worth_another = joining.join_faces();
+    joining.replace_faces(joining.join_faces());
     joining.report();
-    if (is_worth_another)
-      joining.join_patches(Surface_patches::maximum_area);
+    joining.join_patches(Surface_patches::maximum_area);
     Patches fine = joining.finish_fine();
     std::size_t number = 0;
     for (std::size_t p = 0; p < fine.size(); ++p)
@@ -133,46 +132,55 @@ private:
     return {std::move(fine), std::move(coarse)};
   }
 
-  Element face(std::size_t f, const Double_3& centroid) const
+  Element face(std::size_t f) const
   {
-    return {centroid, m_surface.normal(f), m_surface.weight(f), m_surface.weight(f)};
+    return {m_surface.centroid(f), m_surface.normal(f), m_surface.weight(f), m_surface.weight(f)};
   }
 
-  /// Joins faces in the first round. Returns whether another round is worth its time.
-  bool join_faces()
+  /// Joins faces to the first patches. Each adjacency is visited once, in order.
+  Partition join_faces() const
   {
-    // The first round of 3 million faces whose neighbors are far apart in memory takes .75 of the
-    // time with an array of the centroids.
-    Large_array<Double_3> centroids(m_surface.number_of_faces());
-    for_each_index(m_execution, centroids.size(),
-                   [&](std::size_t f) { centroids[f] = m_surface.centroid(f); });
-    const auto for_each_adjacency = [&](const auto& f) {
-      for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
-        if (!m_surface.has_flag(a, Surface::barrier))
-          f(m_surface.lower_face(a), m_surface.higher_face(a));
+    struct First_face
+    {
+      Double_3 centroid, normal;
+      double area; // of the patch so far
     };
-    Large_array<Index> parents = select(
-      centroids.size(), [&](std::size_t f) { return face(f, centroids[f]); }, for_each_adjacency,
-      Surface_patches::maximum_area);
-    centroids = Large_array<Double_3>(); // Its memory is needed.
-    replace_faces(join_every_second_level(parents));
-    return has_joined_enough(m_rounds.back());
+    using Limits = Surface_patches;
+    const double largest = Limits::maximum_area * m_surface.area(),
+                 radius = Limits::maximum_radius * m_surface.length_unit();
+    Large_array<First_face> firsts; // by patch
+    Partition::Numbers patch_of(m_surface.number_of_faces());
+    std::size_t a = 0;
+    for (Index f = 0; f < patch_of.size(); ++f) {
+      const Element e = face(f);
+      double least = radius * radius;
+      Index nearest = Index(firsts.size());
+      for (; a < m_surface.number_of_adjacencies() && m_surface.higher_face(a) == f; ++a) {
+        const Index p = patch_of[m_surface.lower_face(a)];
+        const double distance = squared_norm(e.centroid - firsts[p].centroid);
+        if (distance < least && !m_surface.has_flag(a, Surface::barrier) &&
+            firsts[p].area + e.area <= largest &&
+            norm(e.normal - firsts[p].normal) <= Limits::maximum_deviation) {
+          nearest = p;
+          least = distance;
+        }
+      }
+      if (nearest == firsts.size())
+        firsts.push_back({e.centroid, e.normal, 0});
+      firsts[nearest].area += e.area;
+      patch_of[f] = nearest;
+    }
+    return Partition(std::move(patch_of), firsts.size());
   }
 
   void join_patches(double maximum_area)
   {
-    const auto patch = [&](std::size_t p) -> const Element& { return m_patches[p]; };
-    const auto for_each_adjacency = [&](const auto& f) {
-      for (const Adjacency& a : m_adjacencies)
-        f(a.lower, a.higher);
-    };
     for (bool is_worth_another = true; is_worth_another;) {
-      Partition joined = join_every_second_level(
-        select(m_patches.size(), patch, for_each_adjacency, maximum_area));
+      Partition joined = join_every_second_level(select(maximum_area));
       is_worth_another = has_joined_enough(joined);
       if (joined.number_of_parts() == joined.size())
         return;
-      sum_up(joined, patch);
+      m_patches = sums(joined, [&](std::size_t p) { return m_patches[p]; });
       std::size_t n = 0;
       for (const Adjacency& a : m_adjacencies) {
         const Index p = joined[a.lower], q = joined[a.higher];
@@ -188,23 +196,23 @@ private:
   /// Replaces the faces by the patches of a partition.
   void replace_faces(Partition joined)
   {
-    m_patches.resize(joined.number_of_parts());
-    sum_up(joined, [&](std::size_t f) { return face(f, m_surface.centroid(f)); });
-    const auto is_between = [&](std::size_t a) {
-      return joined[m_surface.lower_face(a)] != joined[m_surface.higher_face(a)] &&
-             !m_surface.has_flag(a, Surface::barrier);
-    };
-    std::size_t number = 0;
-    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
-      number += is_between(a);
-    m_adjacencies.reserve(number);
-    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a)
-      if (is_between(a)) {
-        const auto [p, q] = std::minmax(
-          {joined[m_surface.lower_face(a)], joined[m_surface.higher_face(a)]});
-        m_adjacencies.push_back({p, q, m_surface.length(a)});
-      }
+    m_patches = sums(joined, [&](std::size_t f) { return face(f); });
+    for (Index a = 0; a < m_surface.number_of_adjacencies(); ++a)
+      if (joined[m_surface.lower_face(a)] != joined[m_surface.higher_face(a)])
+        m_borders.push_back(a);
+    m_adjacencies.reserve(m_borders.size());
+    for (const Index a : m_borders)
+      if (!m_surface.has_flag(a, Surface::barrier))
+        m_adjacencies.push_back(between(joined, a));
     m_rounds.push_back(std::move(joined));
+  }
+
+  /// The adjacency of two patches of the faces across one of the surface.
+  Adjacency between(const Partition& patch_of, Index a) const
+  {
+    const auto [p, q] = std::minmax(
+      {patch_of[m_surface.lower_face(a)], patch_of[m_surface.higher_face(a)]});
+    return {p, q, m_surface.length(a)};
   }
 
   static bool has_joined_enough(const Partition& joined)
@@ -213,68 +221,67 @@ private:
     return fewer > 0 && fewer >= joined.size() / 32;
   }
 
-  /// Returns for each element the element that it selects, or itself. `maximum_area`: the bound of
-  /// the area of both together, as a share of the surface
-  template <typename ElementOf, typename ForEachAdjacency>
-  Large_array<Index> select(std::size_t size, const ElementOf& element_of,
-                            const ForEachAdjacency& for_each_adjacency, double maximum_area) const
+  /// Returns for each patch the one that it selects, or itself. `maximum_area`: the bound of the
+  /// area of both together, as a share of the surface
+  Large_array<Index> select(double maximum_area) const
   {
     const double largest = maximum_area * m_surface.area(), scale = 1 / m_surface.length_unit();
-    Large_array<Float_key> selected(size); // the smallest steps, and the elements at their ends
-    for (std::size_t i = 0; i < size; ++i)
+    // the smallest steps, and the patches at their ends
+    Large_array<Float_key> selected(m_patches.size());
+    for (std::size_t i = 0; i < selected.size(); ++i)
       selected[i] = make_float_key(std::numeric_limits<float>::infinity(), Index(i));
     const auto offer = [&](Index i, Float_key key) { // branch-free: the order of steps is random
       const Float_key lowest = selected[i];
       selected[i] = key < lowest ? key : lowest;
     };
-    for_each_adjacency([&](Index i, Index j) {
-      const Element &a = element_of(i), &b = element_of(j);
+    for (const auto& [i, j, length] : m_adjacencies) {
+      const Element &a = m_patches[i], &b = m_patches[j];
       if (!(a.area + b.area <= largest))
-        return;
+        continue;
       const float step = float(scale * norm(a.centroid - b.centroid) +
                                Surface_patches::deviation_weight * norm(a.normal - b.normal));
       offer(i, make_float_key(step, j));
       offer(j, make_float_key(step, i));
-    });
+    }
     // Of two that select each other, the larger one is a root; of equal ones, the lower one.
-    Large_array<Index> parents(size);
-    for (Index i = 0; i < size; ++i) {
+    Large_array<Index> parents(selected.size());
+    for (Index i = 0; i < parents.size(); ++i) {
       const Index j = index_of(selected[i]);
-      const bool is_larger = i < j ? !(element_of(j).area > element_of(i).area)
-                                   : element_of(i).area > element_of(j).area;
+      const double area = m_patches[i].area, other = m_patches[j].area;
+      const bool is_larger = i < j ? !(other > area) : area > other;
       parents[i] = index_of(selected[j]) == i && is_larger ? i : j;
     }
     return parents;
   }
 
-  /// Makes the patches of joined elements. Centroids are summed relative to that of the first
-  /// element, to avoid cancellation far from the origin. The elements may be the patches so far:
-  /// the number of a part is at most that of its first element, so that what is overwritten was
-  /// read before.
+  /// The patches of joined elements. Centroids are summed relative to that of the first element, to
+  /// avoid cancellation far from the origin.
   template <typename ElementOf>
-  void sum_up(const Partition& joined, const ElementOf& element_of)
+  static Large_array<Element> sums(const Partition& joined, const ElementOf& element_of)
   {
+    Large_array<Element> result;
     std::vector<Double_3> firsts; // the centroids of the first elements
+    result.reserve(joined.number_of_parts());
     firsts.reserve(joined.number_of_parts());
     for (std::size_t i = 0; i < joined.size(); ++i) {
       const Element e = element_of(i);
-      Element& sum = m_patches[joined[i]];
       if (joined[i] == firsts.size()) {
         firsts.push_back(e.centroid);
-        sum = Element{};
+        result.push_back(Element{});
       }
+      Element& sum = result[joined[i]];
       sum.centroid = sum.centroid + e.area * (e.centroid - firsts[joined[i]]);
       sum.normal = sum.normal + e.projected_area * e.normal;
       sum.area += e.area;
     }
-    m_patches.resize(firsts.size());
     const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
-    for (std::size_t p = 0; p < m_patches.size(); ++p) {
-      Element& e = m_patches[p];
+    for (std::size_t p = 0; p < result.size(); ++p) {
+      Element& e = result[p];
       e.centroid = firsts[p] + inverse(e.area) * e.centroid;
       e.projected_area = norm(e.normal);
       e.normal = inverse(e.projected_area) * e.normal;
     }
+    return result;
   }
 
   /// The patches of the rounds so far, with their centers among the faces, and contacts.
@@ -284,14 +291,14 @@ private:
     set_centers(
       result, [&](std::size_t f) { return m_surface.centroid(f); },
       [&](std::size_t f) { return m_surface.is_degenerate(f); });
-    if (!m_surface.has_seams_or_links())
-      return result;
-    for (std::size_t a = 0; a < m_surface.number_of_adjacencies(); ++a) {
-      const Index p = result.m_of_elements[m_surface.lower_face(a)],
-                  q = result.m_of_elements[m_surface.higher_face(a)];
-      if (m_surface.has_flag(a, Surface::SEAM | Surface::LINK) && p != q &&
+    for (const Index a : m_borders) {
+      const Adjacency adjacency = between(result.m_of_elements, a);
+      if (adjacency.lower == adjacency.higher)
+        continue;
+      result.m_borders.push_back(a);
+      if (m_surface.has_flag(a, Surface::SEAM | Surface::LINK) &&
           !m_surface.has_flag(a, Surface::CONSTRAINED))
-        result.m_contacts.push_back({(std::min)(p, q), (std::max)(p, q), m_surface.length(a)});
+        result.m_contacts.push_back(adjacency);
     }
     unite(result.m_contacts);
     return result;
@@ -301,7 +308,6 @@ private:
   /// or the patches of the last call.
   Patches finish()
   {
-    m_patches.shrink_to_fit(); // The first round leaves room for most of the faces.
     Patches result;
     // Composed from the last round on, so that the faces are relabelled once.
     result.m_of_elements = Partition::into_single_elements(m_patches.size());
@@ -358,6 +364,7 @@ private:
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
                                    // round before
   Large_array<Element> m_patches;
+  Large_array<Index> m_borders;         // adjacencies of the surface between the first patches
   Large_array<Adjacency> m_adjacencies; // of the patches; until the end several of the same two
 };
 

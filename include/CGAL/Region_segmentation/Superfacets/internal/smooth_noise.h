@@ -101,19 +101,20 @@ inline void smooth_points(const std::vector<Vertex_height>& heights, Large_array
 inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
-  Large_array<Double_3> points(surface.number_of_vertices());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] = surface.point(v);
+  Large_array<Double_3> points; // of the vertices, from the second round on
   for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<Vertex_height> heights = vertex_heights(surface, points);
+    const std::vector<Vertex_height> heights = vertex_heights(surface, round == 0 ? surface.points()
+                                                                                  : points);
     const double share_of_noise = round == 0 ? 0.42 : 0.2; // of the sides between vertices with
                                                            // heights
-    if (are_opposite(surface, heights, share_of_noise))
-      smooth_points(heights, points);
-    else if (round == 0)
+    const bool is_noisy = are_opposite(surface, heights, share_of_noise);
+    if (round == 0 && !is_noisy)
       return std::nullopt;
-    else
+    if (!is_noisy)
       break;
+    if (round == 0)
+      points = surface.points();
+    smooth_points(heights, points);
   }
   Surface_builder builder(surface);
   builder.set_points(std::move(points), execution);

@@ -162,15 +162,16 @@ public:
   /// and links stay. A degenerate face stays degenerate, with its area.
   void set_points(Large_array<Double_3> points, const Execution& execution)
   {
-    const Large_array<Double_3> old_normals = m_normals;
-    const Large_array<double> old_areas = m_areas;
+    std::vector<std::pair<std::size_t, double>> degenerate; // faces and their areas
+    for (std::size_t f = 0; f < number_of_faces(); ++f)
+      if (is_degenerate(f))
+        degenerate.push_back({f, m_areas[f]});
     m_points = std::move(points);
     compute_normals(execution);
-    for (std::size_t f = 0; f < number_of_faces(); ++f)
-      if (squared_norm(old_normals[f]) == 0) {
-        m_normals[f] = {0, 0, 0};
-        m_areas[f] = old_areas[f];
-      }
+    for (const auto& [face, area] : degenerate) {
+      m_normals[face] = {0, 0, 0};
+      m_areas[face] = area;
+    }
     set_signs();
   }
 
