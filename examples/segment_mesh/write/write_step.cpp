@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read/errors.h"
-#include "segmentation/Manifold.h"
 #include "write/write_segmentation.h"
 
 #ifdef SEGMENT_MESH_HAS_STEP
+#include "segmentation/Manifold.h"
+
 #include <step_text.h> // of the example mesh_to_step
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
