@@ -22,7 +22,8 @@ Step_text make_step(const Output& output, const Result& result)
 try {
   ::Mesh mesh;
   CGAL::copy_face_graph(make_manifold(result.input.soup).mesh, mesh);
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  if (!CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
+    throw Output_error(output.file, "no solid: a face has a hole, or crosses itself");
   mesh_to_step::Step_part part = mesh_to_step::make_step_part(mesh);
   if (part.is_solid)
     return {std::move(part.text), std::move(part.remarks)};
