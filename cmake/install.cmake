@@ -12,7 +12,7 @@ configure_package_config_file(cmake/CGAL_Region_segmentationConfig.cmake.in
   ${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfig.cmake
   INSTALL_DESTINATION ${config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfig.cmake
               ${PROJECT_BINARY_DIR}/CGAL_Region_segmentationConfigVersion.cmake
               cmake/compiled_methods.cmake cmake/compiled_methods.cpp

@@ -45,7 +45,7 @@ row() {
   small "$work/row.png" "$figures/$figure.png"
 }
 
-rm -f "$figures"/*.png
+rm -f "$figures"/*.png "$figures"/*.gif
 
 view camel camel.off -60 15
 view homer homer.off 20 10
@@ -95,6 +95,13 @@ view k4 diplodocus.off 10 15 -k 4
 view chosen diplodocus.off 10 15
 view k16 diplodocus.off 10 15 -k 16
 row numbers 300 k2 k4 chosen k16
+
+# What the slider of the page shows.
+for number in 2 3 4 5 6 7 8 10 12 14 16; do
+  view "slider$number" diplodocus.off 10 15 -k $number
+done
+(cd "$work" && convert -delay 70 -loop 0 $(printf 'slider%s.png ' 2 3 4 5 6 7 8 10 12 14) -delay 200 slider16.png \
+  -resize x300 +dither -colors 64 -layers optimize "$figures/slider.gif")
 
 python3 "$here/mark_mesh.py" ring diplodocus.off 1 .12 .26 .12 .06 .12 >"$work/ring"
 python3 "$here/mark_mesh.py" dabs homer.off .03 0 -.08 -.3 .15 1 .08 -.3 .15 2 0 -.02 .15 >"$work/dabs"

@@ -1,13 +1,13 @@
 #!/bin/sh
 # full.sh [FOLDER]: the long forms of the tests, hours of them, in FOLDER (default: build-full/): the whole suite with the
 # sanitizers of clang, with CGAL's checks and without; other releases of CGAL, compilers and standards; mutation;
-# coverage. Stops at the first that fails.
+# coverage; the packages of a release, made and run in a bare system. Stops at the first that fails.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
 mkdir -p "$work"
 sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake gcovr make python3 libcgal-dev libeigen3-dev libgtest-dev \
-  libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev
+  libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev debootstrap
 
 suite() # NAME COMPILER BUILD-TYPE FLAGS CTEST-ARGUMENT...
 {
@@ -26,5 +26,7 @@ suite debug clang++ Debug "$sanitizers -O1"
 MATRIX_DIR=$work/matrix sh "$root/test/matrix/matrix.sh"
 python3 "$root/test/mutation/mutate.py" --work "$work/mutation" --at-least 90
 suite coverage g++ Debug "--coverage -O1 -g0 -DNDEBUG -fno-inline" -E instruction
+sh "$root/cmake/release.sh" "$work/release"
+sh "$root/test/packaging/bare_chroot.sh" "$work/release" || [ $? -eq 77 ]
 cd "$root"
 gcovr --filter include/ --filter examples/segment_mesh/ --exclude-throw-branches "$work/coverage"

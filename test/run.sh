@@ -9,14 +9,14 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
-packages="g++ make cmake clang-format libzip-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
+packages="g++ make cmake clang-format libminizip-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
   libgtest-dev libjs-three libopenmesh-dev libpng-dev librapidcheck-dev libtbb-dev nlohmann-json3-dev python3 zlib1g-dev"
 all=OFF
 if [ "${1:-}" = all ]; then
   shift
   all=ON
   packages="$packages assimp-utils blender calculix-ccx chromium chromium-driver clang dpkg-dev doxygen emscripten
-    g++-aarch64-linux-gnu gmsh libclang-rt-14-dev libfast-float-dev libjs-mathjax libocct-data-exchange-dev lintian node-acorn
+    g++-aarch64-linux-gnu gmsh libclang-rt-14-dev libfast-float-dev libjs-mathjax libocct-data-exchange-dev lintian mypy node-acorn
     node-typescript nodejs openfoam parallel prusa-slicer python3-dev python3-gmsh python3-hypothesis python3-meshio python3-numpy python3-pip
     python3-pybind11 python3-pytest python3-selenium python3-setuptools python3-vtk9 qemu-user-static valgrind"
   # That of node's makers is part of their nodejs, which excludes Debian's.

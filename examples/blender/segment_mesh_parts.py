@@ -47,7 +47,7 @@ def segment(mesh, **options):
     starts = array_of(mesh.polygons, "loop_start", len(mesh.polygons), "i4")
     sizes = array_of(mesh.polygons, "loop_total", len(mesh.polygons), "i4")
     points = array_of(mesh.vertices, "co", (len(mesh.vertices), 3), "f4")
-    return region_segmentation.segment(points, numpy.insert(corners, starts, sizes), **options)
+    return region_segmentation.segment((points, numpy.insert(corners, starts, sizes)), **options)
 
 
 def sharp_edges(mesh):

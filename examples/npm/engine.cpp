@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The library as WebAssembly: see index.mjs, which calls it, and build.sh.
 
@@ -63,7 +63,7 @@ val prepare(const std::string& method, const val& request)
     auto seeds = emscripten::convertJSArrayToNumberVector<std::int32_t>(request["seeds"]);
     seeds.resize(soup.polygons.size(), -1);
     return std::make_shared<Segmenter>(
-      Segmenter{{method, soup,
+      Segmenter{{method, 0, soup,
                  RS::parameters::component_links(request["componentLinks"].as<bool>())
                    .constrained_edges(edges)
                    .face_seed_map(seeds)},

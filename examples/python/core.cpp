@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The compiled part of the Python package: region_segmentation/__init__.py calls it with arrays of
 // one form.
@@ -7,6 +7,7 @@
 
 #include "segmentation/Any_segmenter.h"
 #include "soup/make_soup.h"
+#include "view/segment_colors.h"
 
 #include <CGAL/Region_segmentation/Support/version.h>
 
@@ -25,16 +26,16 @@ namespace {
 class Segmenter
 {
 public:
-  Segmenter(const Soup& soup, const std::string& method, const Array<std::int64_t>& edges,
-            const Array<std::int32_t>& seeds, bool component_links, int threads,
-            const py::object& progress)
+  Segmenter(const Soup& soup, const std::string& method, double tolerance,
+            const Array<std::int64_t>& edges, const Array<std::int32_t>& seeds,
+            bool component_links, int threads, const py::object& progress)
     : m_size(soup.polygons.size())
     , m_progress(progress)
     , m_segmenter([&] {
       const auto constraints = make_edges(soup, to_vector(edges));
       const Labels seed_of_face = to_vector(seeds);
       return run(threads, progress, [&](Visitor& visitor) {
-        return segment_mesh::Any_segmenter(method, soup,
+        return segment_mesh::Any_segmenter(method, tolerance, soup,
                                            RS::parameters::component_links(component_links)
                                              .constrained_edges(constraints)
                                              .face_seed_map(seed_of_face)
@@ -87,6 +88,16 @@ Array<std::size_t> segment_borders(const Soup& soup, const Array<std::int32_t>& 
   return to_array(ends);
 }
 
+/// Three bytes a face.
+Array<std::uint8_t> colors(const Array<std::int32_t>& labels)
+{
+  std::vector<std::uint8_t> result;
+  for (const std::int32_t label : to_vector(labels))
+    for (const std::uint8_t channel : segment_mesh::segment_color(std::size_t(label)))
+      result.push_back(channel);
+  return to_array(result);
+}
+
 } // namespace
 
 PYBIND11_MODULE(_core, module)
@@ -105,12 +116,13 @@ PYBIND11_MODULE(_core, module)
     .def("__len__", [](const Soup& soup) { return soup.polygons.size(); });
 
   py::class_<Segmenter>(module, "Segmenter")
-    .def(py::init<const Soup&, const std::string&, const Array<std::int64_t>&,
+    .def(py::init<const Soup&, const std::string&, double, const Array<std::int64_t>&,
                   const Array<std::int32_t>&, bool, int, const py::object&>())
     .def("segment", &Segmenter::segment)
     .def("regions", &Segmenter::regions)
     .def("merges", &Segmenter::merges);
 
   module.def("segment_borders", &segment_borders);
+  module.def("colors", &colors);
   define_functions_of_segments(module);
 }

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_REGION_SEGMENTATION_PYTHON_CORE_H
 #define CGAL_REGION_SEGMENTATION_PYTHON_CORE_H
@@ -7,7 +7,9 @@
 
 #include <pybind11/numpy.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
+#endif
 
 #include <chrono>
 #include <cstdint>
@@ -65,14 +67,18 @@ private:
 };
 
 /// Calls `f(visitor)` without the lock of the interpreter, on a number of threads, 0 for as many as
-/// there are cores.
+/// there are cores; without TBB on one.
 template <typename F>
-auto run(int threads, const py::object& progress, const F& f)
+auto run([[maybe_unused]] int threads, const py::object& progress, const F& f)
 {
   Visitor visitor(progress);
   const py::gil_scoped_release release;
+#ifdef CGAL_LINKED_WITH_TBB
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
   return arena.execute([&] { return f(visitor); });
+#else
+  return f(visitor);
+#endif
 }
 
 /// The functions that need an oriented 2-manifold; their results are described by the module's

@@ -1,35 +1,66 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "core.h"
 
-#include "segmentation/Manifold.h"
+#include "segmentation/make_manifold.h"
 #include "segmentation/segment_attributes.h"
 
-// Of the program, compiled here since setuptools writes objects beside sources.
-#include "segmentation/make_manifold.cpp"
-
+#include <CGAL/HalfedgeDS_default.h>
+#include <CGAL/HalfedgeDS_items_2.h>
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Segments/transfer_labels.h>
 #include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/graph_traits_HalfedgeDS_default.h>
 
+#include <pybind11/stl.h>
+
+#include <algorithm>
 #include <array>
+#include <deque>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+using Kernel = CGAL::Simple_cartesian<double>;
+
+struct Items : CGAL::HalfedgeDS_items_2
+{
+  template <typename Refs, typename Traits>
+  struct Vertex_wrapper
+  {
+    using Vertex = CGAL::HalfedgeDS_vertex_base<Refs, CGAL::Tag_true, typename Traits::Point_3>;
+  };
+};
+
+/// A face graph of CGAL that is not subject to the GPL. (As a class of its own it has dynamic
+/// properties.)
+using Halfedges = CGAL::HalfedgeDS_default<Kernel, Items>;
+struct Mesh : Halfedges
+{};
+
+namespace boost {
+template <>
+struct graph_traits<Mesh> : graph_traits<Halfedges>
+{};
+template <>
+struct property_map<Mesh, CGAL::vertex_point_t> : property_map<Halfedges, CGAL::vertex_point_t>
+{};
+} // namespace boost
+template <>
+struct CGAL::graph_has_property<Mesh, CGAL::vertex_point_t> : CGAL::Tag_true
+{};
+
 namespace RS = CGAL::Region_segmentation;
 using namespace pybind11::literals;
 
 namespace {
-
-using segment_mesh::Manifold;
-using Mesh = Manifold::Mesh;
-using Kernel = CGAL::Simple_cartesian<double>;
 
 template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
 py::object to_object(Number value)
@@ -37,9 +68,10 @@ py::object to_object(Number value)
   return py::cast(value);
 }
 
-py::object to_object(const std::array<double, 3>& values)
+template <std::size_t n>
+py::object to_object(const std::array<double, n>& values)
 {
-  return py::make_tuple(values[0], values[1], values[2]);
+  return py::tuple(py::cast(values));
 }
 
 /// Of a point or a vector.
@@ -64,42 +96,60 @@ auto adder(py::dict& dictionary)
     [&dictionary](const char* name, const auto& value) { dictionary[name] = to_object(value); };
 }
 
-/// Labels of the faces of a manifold; of the others of its soup `no_segment`.
-struct Labelled_manifold : Manifold
+/// The faces of a manifold have labels, and numbers in its soup.
+struct Labelled_manifold : segment_mesh::Manifold_of<Mesh>
 {
   explicit Labelled_manifold(const Soup& soup)
-    : Manifold(make_manifold(soup))
-    , labels(mesh.number_of_faces())
-    , size(soup.polygons.size())
-  {}
+    : Manifold_of<Mesh>(segment_mesh::make_manifold_of<Mesh>(soup))
+    , map(get(CGAL::dynamic_face_property_t<std::int32_t>(), mesh))
+    , number(get(CGAL::dynamic_face_property_t<std::int32_t>(), mesh))
+    , labels(soup.polygons.size(), RS::no_segment)
+  {
+    auto f = face_of_mesh_face.begin();
+    for (const auto face : faces(mesh))
+      put(number, face, std::int32_t(*f++));
+  }
   Labelled_manifold(const Soup& soup, const Labels& labels_of_soup)
     : Labelled_manifold(soup)
   {
-    labels = values_of_mesh_faces(labels_of_soup);
+    labels = labels_of_soup;
+    for (const auto face : faces(mesh))
+      put(map, face, labels[get(number, face)]);
   }
 
-  auto map() { return segment_mesh::face_map(mesh, labels); }
-
-  Labels labels_of_soup() const
+  /// By face of the soup; those of faces that are not in the mesh are as before, or `no_segment`.
+  const Labels& labels_of_soup()
   {
-    Labels result(size, RS::no_segment);
-    for (std::size_t f = 0; f < labels.size(); ++f)
-      result[face_of_mesh_face[f]] = labels[f];
-    return result;
+    for (const auto face : faces(mesh))
+      labels[get(number, face)] = get(map, face);
+    return labels;
   }
 
+  boost::property_map<Mesh, CGAL::dynamic_face_property_t<std::int32_t>>::type map, number;
   Labels labels;
-  std::size_t size;
 };
 
-/// The surface that fits a segment or is that of a part face, see `from_apex()`.
-py::dict to_dictionary(const RS::Fitted_surface<Kernel>& s)
+/// The surface that fits a segment or is that of a part face; what it does not have is None.
+py::dict to_dictionary(const RS::Fitted_surface<Kernel>& fitted)
 {
-  return py::dict("type"_a = segment_mesh::name_of(s.kind), "point"_a = to_object(s.point),
-                  "direction"_a = to_object(
-                    s.kind == RS::Surface_kind::SPHERE ? Kernel::Vector_3(0, 0, 0) : s.direction),
-                  "radius"_a = s.radius, "minor_radius"_a = s.minor_radius,
-                  "half_angle"_a = s.angle * 180 / CGAL_PI);
+  const RS::Fitted_surface<Kernel> s = segment_mesh::from_apex(fitted);
+  const auto if_kind = [&](std::initializer_list<RS::Surface_kind> kinds, const auto& value) {
+    return std::find(kinds.begin(), kinds.end(), s.kind) != kinds.end() ? to_object(value)
+                                                                        : py::none();
+  };
+  using Kind = RS::Surface_kind;
+  const auto kinds_with_point = {Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::SPHERE,
+                                 Kind::TORUS};
+  const auto kinds_with_direction = {Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::TORUS};
+  return py::dict(
+    "type"_a = segment_mesh::name_of(s.kind),
+    "deviation"_a = if_kind(kinds_with_point, s.deviation),
+    "point"_a = if_kind(kinds_with_point, s.point),
+    "direction"_a = if_kind(kinds_with_direction, s.direction),
+    "extent"_a = if_kind(kinds_with_direction, std::array<double, 2>{s.lowest, s.highest}),
+    "radius"_a = if_kind({Kind::CYLINDER, Kind::SPHERE, Kind::TORUS}, s.radius),
+    "minor_radius"_a = if_kind({Kind::TORUS}, s.minor_radius),
+    "half_angle"_a = if_kind({Kind::CONE}, s.angle * 180 / CGAL_PI));
 }
 
 py::dict to_dictionary(const RS::Segment_description<std::int32_t, Kernel>& d)
@@ -113,8 +163,8 @@ py::dict to_dictionary(const RS::Segment_description<std::int32_t, Kernel>& d)
     neighbors.append(neighbor);
   }
   result["neighbors"] = neighbors;
-  result["primitive"] = to_dictionary(segment_mesh::from_apex(d.surface));
-  result["primitive"]["error"] = d.surface_error();
+  result["surface"] = to_dictionary(d.surface);
+  result["surface_error"] = d.surface_error();
   return result;
 }
 
@@ -124,7 +174,7 @@ py::list describe_segments(const Soup& soup, const Array<std::int32_t>& labels)
   const Labels labels_of_soup = to_vector(labels);
   run(1, py::none(), [&](Visitor&) {
     Labelled_manifold manifold(soup, labels_of_soup);
-    RS::describe_segments(manifold.mesh, manifold.map(), std::back_inserter(descriptions));
+    RS::describe_segments(manifold.mesh, manifold.map, std::back_inserter(descriptions));
   });
   py::list result;
   for (const auto& d : descriptions)
@@ -134,30 +184,26 @@ py::list describe_segments(const Soup& soup, const Array<std::int32_t>& labels)
 
 py::dict to_dictionary(const RS::Part_face<Kernel>& face)
 {
-  const RS::Fitted_surface<Kernel> s = segment_mesh::from_apex(face.surface);
   py::list neighbors;
   for (const RS::Part_face_neighbor& n : face.neighbors)
     neighbors.append(
       py::dict("face"_a = n.face, "length"_a = n.length, "is_smooth"_a = n.is_smooth));
-  py::dict result = to_dictionary(s);
-  result["is_concave"] = s.side < 0;
-  result["extent"] = py::make_tuple(s.lowest, s.highest);
-  result["deviation"] = s.deviation;
-  result["role"] = segment_mesh::name_of(face.role);
-  result["area"] = face.area;
-  result["first_on_surface"] = face.first_on_surface;
-  result["first_on_axis"] = face.first_on_axis;
-  result["neighbors"] = neighbors;
-  return result;
+  py::object role = py::none();
+  if (face.role != RS::Face_role::NONE)
+    role = py::str(segment_mesh::name_of(face.role));
+  return py::dict("surface"_a = to_dictionary(face.surface), "is_concave"_a = face.surface.side < 0,
+                  "role"_a = role, "area"_a = face.area,
+                  "first_on_surface"_a = face.first_on_surface,
+                  "first_on_axis"_a = face.first_on_axis, "neighbors"_a = neighbors);
 }
 
-py::tuple find_part_faces(const Soup& soup, const py::object& progress)
+py::tuple find_part_faces(const Soup& soup, double tolerance, const py::object& progress)
 {
   std::vector<RS::Part_face<Kernel>> faces;
   const Labels labels = run(1, progress, [&](Visitor& visitor) {
     Labelled_manifold manifold(soup);
-    RS::find_part_faces(manifold.mesh, manifold.map(), std::back_inserter(faces),
-                        RS::parameters::visitor(std::ref(visitor)));
+    RS::find_part_faces(manifold.mesh, manifold.map, std::back_inserter(faces),
+                        RS::parameters::tolerance(tolerance).visitor(std::ref(visitor)));
     return manifold.labels_of_soup();
   });
   py::list result;
@@ -171,30 +217,32 @@ py::tuple find_part_faces(const Soup& soup, const py::object& progress)
 py::list close_segments(const Soup& soup, const Array<std::int32_t>& labels, double clearance)
 {
   Labelled_manifold manifold(soup, to_vector(labels));
-  std::vector<RS::Segment_piece<Mesh, Mesh, std::int32_t>> solids;
+  std::deque<RS::Segment_piece<Mesh, Mesh, std::int32_t>> solids;
   run(1, py::none(), [&](Visitor&) {
-    RS::close_segments(manifold.mesh, manifold.map(), std::back_inserter(solids),
+    RS::close_segments(manifold.mesh, manifold.map, std::back_inserter(solids),
                        RS::parameters::clearance(clearance));
   });
   py::list result;
   for (const auto& solid : solids) {
     std::vector<double> coordinates;
-    for (const auto v : solid.mesh.vertices())
-      for (const double x :
-           {solid.mesh.point(v).x(), solid.mesh.point(v).y(), solid.mesh.point(v).z()})
-        coordinates.push_back(x);
-    Labels corners, sizes, faces;
-    for (const auto f : solid.mesh.faces()) {
+    const auto index = get(CGAL::dynamic_vertex_property_t<std::int32_t>(), solid.mesh);
+    for (const auto v : vertices(solid.mesh)) {
+      put(index, v, std::int32_t(coordinates.size() / 3));
+      const Kernel::Point_3& p = get(get(CGAL::vertex_point, solid.mesh), v);
+      coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    }
+    Labels corners, sizes, faces_of_soup;
+    for (const auto f : faces(solid.mesh)) {
       const std::size_t before = corners.size();
-      for (const auto v : vertices_around_face(solid.mesh.halfedge(f), solid.mesh))
-        corners.push_back(std::int32_t(v));
+      for (const auto v : CGAL::vertices_around_face(halfedge(f, solid.mesh), solid.mesh))
+        corners.push_back(get(index, v));
       sizes.push_back(std::int32_t(corners.size() - before));
-      const auto original = solid.faces[f];
-      faces.push_back(
-        original == Mesh::null_face() ? -1 : std::int32_t(manifold.face_of_mesh_face[original]));
+      const auto original = solid.faces[sizes.size() - 1];
+      faces_of_soup.push_back(
+        original == boost::graph_traits<Mesh>::null_face() ? -1 : get(manifold.number, original));
     }
     result.append(py::make_tuple(solid.segment, to_array(coordinates), to_array(corners),
-                                 to_array(sizes), to_array(faces)));
+                                 to_array(sizes), to_array(faces_of_soup)));
   }
   return result;
 }
@@ -205,7 +253,7 @@ Array<std::int32_t> transfer_labels(const Soup& from, const Array<std::int32_t>&
   const Labels labels_of_from = to_vector(labels);
   return to_array(run(1, py::none(), [&](Visitor&) {
     Labelled_manifold source(from, labels_of_from), target(to);
-    RS::transfer_labels(source.mesh, source.map(), target.mesh, target.map());
+    RS::transfer_labels(source.mesh, source.map, target.mesh, target.map);
     return target.labels_of_soup();
   }));
 }
@@ -213,15 +261,12 @@ Array<std::int32_t> transfer_labels(const Soup& from, const Array<std::int32_t>&
 Array<std::int32_t> smooth_borders(const Soup& soup, const Array<std::int32_t>& labels,
                                    const py::object& progress)
 {
-  Labels result = to_vector(labels);
-  run(1, progress, [&](Visitor& visitor) {
-    Labelled_manifold manifold(soup, result);
-    RS::smooth_borders(manifold.mesh, manifold.map(), {},
-                       RS::parameters::visitor(std::ref(visitor)));
-    for (std::size_t f = 0; f < manifold.labels.size(); ++f)
-      result[manifold.face_of_mesh_face[f]] = manifold.labels[f];
-  });
-  return to_array(result);
+  const Labels before = to_vector(labels);
+  return to_array(run(1, progress, [&](Visitor& visitor) {
+    Labelled_manifold manifold(soup, before);
+    RS::smooth_borders(manifold.mesh, manifold.map, {}, RS::parameters::visitor(std::ref(visitor)));
+    return manifold.labels_of_soup();
+  }));
 }
 
 } // namespace

@@ -8,7 +8,9 @@
 #include "read/errors.h"
 #include "write/Whole_file.h"
 
+#ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#endif
 
 #include <csignal>
 #include <exception>
@@ -57,9 +59,11 @@ int main(int argc, char** argv)
     if (!options) // help or the like was written
       return std::cout.flush() ? DONE : FAILED;
     const std::vector<Job> jobs = plan_jobs(*options);
+#ifdef CGAL_LINKED_WITH_TBB
     std::optional<tbb::global_control> limit;
     if (options->number_of_threads > 0)
       limit.emplace(tbb::global_control::max_allowed_parallelism, options->number_of_threads);
+#endif
     const Exit_status status = run_batch(jobs, *options);
     if (status == DONE)
       hint_at_outputs(jobs, *options);

@@ -40,7 +40,7 @@ def test():
     assert [m.name for m in mesh.materials] == ["of a user"]
     assert bpy.ops.object.segment_into_parts(number=5, make_materials=True) == {"FINISHED"}
     labels = attribute(mesh)
-    assert labels == region_segmentation.segment(points, faces, 5).tolist() and max(labels) == 4
+    assert labels == region_segmentation.segment((points, faces), 5).tolist() and max(labels) == 4
     assert [p.material_index for p in mesh.polygons] == labels
     assert [m.name for m in mesh.materials] == [f"segment {i}" for i in range(5)]
     assert len({tuple(m.diffuse_color) for m in mesh.materials}) == 5
@@ -51,7 +51,7 @@ def test():
 
     # A chosen number.
     assert bpy.ops.object.segment_into_parts() == {"FINISHED"}
-    assert attribute(mesh) == region_segmentation.segment(points, faces).tolist()
+    assert attribute(mesh) == region_segmentation.segment((points, faces)).tolist()
 
     # Sharp edges are borders.
     for edge in mesh.edges:

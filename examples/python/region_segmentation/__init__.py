@@ -1,11 +1,11 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: LGPL-3.0-or-later
 """Segmentation of triangle and polygon meshes into parts, and of machine parts into faces.
 
-A mesh is points, an array of shape (n, 3), and faces: an array of shape (m, 3), (m, 4), ... of indices
-of points, a list of lists of different lengths, or the padded array of VTK (3, a, b, c, 4, d, e, ...).
-In place of both it can be a tuple of them, or a mesh of trimesh, Open3D, PyVista or meshio, or another
-object with vertices or points, and faces, triangles or cells (of meshio: triangles, quads, polygons).
-It need not be manifold, oriented or connected.
+A mesh is a tuple (points, faces), a mesh of trimesh, Open3D, PyVista or meshio, or another object with
+vertices or points, and faces, triangles or cells (of meshio: triangles, quads, polygons). Points are an
+array of shape (n, 3); faces an array of shape (m, 3), (m, 4), ... of indices of points, a list of lists
+of different lengths, or the padded array of VTK (3, a, b, c, 4, d, e, ...). It need not be manifold,
+oriented or connected.
 
 Labels are an int32 for each face, in an array of shape (m,); -1 is no segment. Angles are in degrees;
 lengths, areas and volumes in units of the mesh. InvalidInput, a ValueError, names the place of wrong
@@ -14,6 +14,22 @@ data. Arguments of wrong types and shapes are a TypeError or ValueError that beg
 threads is the number of threads, None for one a core; labels do not depend on it. progress is called
 as progress(stage, fraction), with a str and a float from 0 to 1 for each stage; Cancelled is raised if
 it returns False. Ctrl-C interrupts every function that takes progress. Other threads run meanwhile.
+
+Examples
+--------
+Two squares at a right angle, each of two triangles:
+
+>>> import region_segmentation
+>>> points = [[0, 0, 1], [0, 1, 1], [1, 0, 0], [1, 1, 0], [2, 0, 1], [2, 1, 1]]
+>>> mesh = points, [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]]
+>>> labels = region_segmentation.segment(mesh, 2, method="smooth-faces")
+>>> labels.tolist()
+[0, 0, 1, 1]
+>>> region_segmentation.segment_borders(mesh, labels).tolist()
+[[2, 3]]
+>>> first, second = region_segmentation.describe_segments(mesh, labels)
+>>> print(first.number_of_faces, round(first.area, 3), first.surface.type, first.surface.radius)
+2 1.414 plane None
 """
 
 from __future__ import annotations
@@ -21,13 +37,14 @@ from __future__ import annotations
 import operator
 import warnings
 from collections.abc import Callable
-from typing import Any, Literal, Optional, SupportsIndex, TypedDict, Union
+from dataclasses import dataclass
+from typing import Any, Literal, Optional, SupportsIndex, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Cancelled, InvalidInput, __version__
+from ._core import Cancelled as Cancelled, InvalidInput as InvalidInput, __version__ as __version__
 
 Cancelled.__module__ = InvalidInput.__module__ = __name__  # as tracebacks say
 
@@ -37,26 +54,29 @@ Triple = tuple[float, float, float]
 Labels = NDArray[np.int32]
 
 
-class Neighbor(TypedDict):
+@dataclass(frozen=True)
+class Neighbor:
     segment: int
     border_length: float
     mean_signed_deviation: float  # the angle between normals, positive for convex edges
 
 
-class Surface(TypedDict):
+@dataclass(frozen=True)
+class Surface:
+    """What a surface does not have is None."""
+
     type: Literal["plane", "cylinder", "cone", "sphere", "torus", "freeform"]
-    point: Triple  # of a plane, the axis of a cylinder; an apex or a center
-    direction: Triple  # a normal or an axis; (0, 0, 0) of a sphere
-    radius: float  # the major one of a torus; 0 if there is none
-    minor_radius: float  # of a torus
-    half_angle: float  # of a cone
+    deviation: Optional[float]  # the largest distance of a vertex
+    point: Optional[Triple]  # of a plane, the axis of a cylinder; an apex or a center
+    direction: Optional[Triple]  # a normal or an axis
+    extent: Optional[tuple[float, float]]  # from point along direction
+    radius: Optional[float]  # the major one of a torus
+    minor_radius: Optional[float]  # of a torus
+    half_angle: Optional[float]  # of a cone
 
 
-class Primitive(Surface):
-    error: float  # root mean square distance
-
-
-class Description(TypedDict):
+@dataclass(frozen=True)
+class Description:
     segment: int
     number_of_faces: int
     area: float
@@ -68,34 +88,37 @@ class Description(TypedDict):
     border_length: float  # to other segments
     boundary_length: float  # on the border of the mesh
     neighbors: list[Neighbor]
-    primitive: Primitive  # the plane, cylinder, cone or sphere that fits best
+    surface: Surface  # the plane, cylinder, cone or sphere that fits best
+    surface_error: float  # the root mean square distance
 
 
-class PartFaceNeighbor(TypedDict):
+@dataclass(frozen=True)
+class PartFaceNeighbor:
     face: int
     length: float
     is_smooth: bool
 
 
-class PartFace(Surface):
+@dataclass(frozen=True)
+class PartFace:
+    surface: Surface
     is_concave: bool
-    extent: tuple[float, float]  # from point along direction
-    deviation: float  # the largest distance of a vertex
-    role: Literal["none", "blend", "hole", "boss"]  # fillets and rounds are blends
+    role: Optional[Literal["blend", "hole", "boss"]]  # fillets and rounds are blends
     area: float
     first_on_surface: int  # the first face on the same surface
     first_on_axis: int  # the first face with the same axis
     neighbors: list[PartFaceNeighbor]
 
 
-class Solid(TypedDict):
+@dataclass(frozen=True)
+class Solid:
     segment: int
     points: NDArray[np.float64]
     faces: Union[NDArray[np.int32], list[list[int]]]  # an array if all have as many corners
     face_of_mesh: NDArray[np.int32]  # for each face; -1 of caps
 
 
-def _corners_and_sizes(faces: Any) -> tuple[np.ndarray, np.ndarray]:
+def _corners_and_sizes(faces: Any) -> tuple[NDArray[Any], NDArray[Any]]:
     expected = "faces: not an array of (m, 3) or more indices, a list of lists of them, or a padded array"
     sizes = None
     try:
@@ -121,19 +144,16 @@ def _corners_and_sizes(faces: Any) -> tuple[np.ndarray, np.ndarray]:
     return np.delete(array, starts), array[starts]
 
 
-def _soup(mesh: Any, faces: Any = None) -> _core.Soup:
-    points = mesh
-    if faces is None and isinstance(mesh, tuple) and len(mesh) == 2:
+def _soup(mesh: Any) -> _core.Soup:
+    if isinstance(mesh, tuple) and len(mesh) == 2:
         points, faces = mesh
-    elif faces is None:
+    else:
         points = next((getattr(mesh, a) for a in ("vertices", "points") if hasattr(mesh, a)), None)
         faces = next((getattr(mesh, a) for a in ("faces", "triangles") if hasattr(mesh, a)), None)
         if faces is None and isinstance(getattr(mesh, "cells", None), list):
             faces = [f for block in mesh.cells if block.type in ("triangle", "quad", "polygon") for f in block.data]
         if points is None or faces is None:
-            raise TypeError("mesh: not points and faces, nor an object with vertices or points, and faces or triangles")
-    elif hasattr(mesh, "vertices") or hasattr(mesh, "points"):
-        raise TypeError("faces: given beside a mesh; name what follows the mesh, as in number_of_segments=8")
+            raise TypeError("mesh: not a tuple (points, faces), nor an object with points and faces")
     points = np.asarray(points)
     if points.dtype.kind not in "fiu":
         raise TypeError("points: not an array of (n, 3) numbers")
@@ -142,13 +162,13 @@ def _soup(mesh: Any, faces: Any = None) -> _core.Soup:
     return _core.Soup(points, *_corners_and_sizes(faces))
 
 
-def _integers(values: Any, shape: tuple, dtype: type, expected: str) -> np.ndarray:
+def _integers(values: Any, shape: tuple[Any, ...], dtype: type, expected: str) -> NDArray[Any]:
     array = np.asarray(values)
     if array.dtype.kind not in "iu":
         raise TypeError(expected)
     if array.ndim != len(shape) or array.shape[1:] != shape[1:] or shape[0] not in (None, len(array)):
         raise ValueError(expected)
-    result = array.astype(dtype)
+    result: NDArray[Any] = array.astype(dtype)
     if (result != array).any():
         raise ValueError(expected)
     return result
@@ -169,30 +189,59 @@ def _count(name: str, value: Any) -> Optional[int]:
     return min(operator.index(value), 2**31 - 1)
 
 
+def _length(name: str, value: Any) -> float:
+    if not 0 <= value < float("inf"):
+        raise ValueError(f"{name}: not a finite length of at least 0, but {value!r}")
+    return float(value)
+
+
+def _attributes(values: dict[str, Any], neighbor: type) -> dict[str, Any]:
+    return dict(values, neighbors=[neighbor(**n) for n in values["neighbors"]], surface=Surface(**values["surface"]))
+
+
 class Segmenter:
-    """A mesh that is prepared once, with the arguments of segment(), and segmented into any number in little time."""
+    """A mesh that is prepared once, with the arguments of segment(), and segmented into any number in little time.
+
+    Made without a mesh it is an estimator as of scikit-learn: fit() and fit_predict() take one.
+    """
+
+    labels_: Labels  # of the last segmentation
 
     def __init__(
-        self, mesh: Any, faces: Any = None, method: Method = "learned",
-        constrained_edges: Optional[ArrayLike] = None, seeds: Optional[ArrayLike] = None, component_links: bool = True,
+        self, mesh: Any = None, method: Method = "learned", constrained_edges: Optional[ArrayLike] = None,
+        seeds: Optional[ArrayLike] = None, component_links: bool = True, tolerance: Optional[float] = None,
         *, threads: Optional[int] = None, progress: Optional[Progress] = None,
     ) -> None:
-        soup = _soup(mesh, faces)
-        edges = _integers(
-            np.empty((0, 2), int) if constrained_edges is None else constrained_edges, (None, 2), np.int64,
-            "constrained_edges: not an array of (n, 2) indices")
-        labels = _labels(soup, np.full(len(soup), -1) if seeds is None else seeds, "seeds")
-        threads = _count("threads", threads) or 0
-        self._core = _core.Segmenter(soup, method, edges, labels, component_links, threads, progress)
+        if tolerance is not None and method != "smooth-faces":
+            raise ValueError("tolerance: only of the method smooth-faces")
+        self._method, self._tolerance = method, _length("tolerance", tolerance or 0)
+        self._edges = np.empty((0, 2), int) if constrained_edges is None else constrained_edges
+        self._seeds, self._component_links = seeds, component_links
+        self._threads, self._progress = _count("threads", threads) or 0, progress
+        if mesh is not None:
+            self.fit(mesh)
+
+    def fit(self, mesh: Any) -> Segmenter:
+        """Prepares a mesh, in place of the one before."""
+        soup = _soup(mesh)
+        edges = _integers(self._edges, (None, 2), np.int64, "constrained_edges: not an array of (n, 2) indices")
+        seeds = _labels(soup, np.full(len(soup), -1) if self._seeds is None else self._seeds, "seeds")
+        self._core = _core.Segmenter(
+            soup, self._method, self._tolerance, edges, seeds, self._component_links, self._threads, self._progress)
+        return self
+
+    def fit_predict(self, mesh: Any, number_of_segments: Optional[int] = None) -> Labels:
+        """fit(), then segment()."""
+        return self.fit(mesh).segment(number_of_segments)
 
     def segment(self, number_of_segments: Optional[int] = None) -> Labels:
         """The labels of a number of segments, as of the function segment."""
         number = _count("number_of_segments", number_of_segments)
-        labels = self._core.segment(number)
-        n = int(labels.max(initial=-1)) + 1
+        self.labels_ = self._core.segment(number)
+        n = int(self.labels_.max(initial=-1)) + 1
         if number not in (None, n):
             warnings.warn(f"{n} segments: {number} are not possible", stacklevel=2)
-        return labels
+        return self.labels_
 
     @property
     def regions(self) -> Labels:
@@ -206,79 +255,87 @@ class Segmenter:
 
 
 def segment(
-    mesh: Any, faces: Any = None, number_of_segments: Optional[int] = None, method: Method = "learned",
+    mesh: Any, number_of_segments: Optional[int] = None, method: Method = "learned",
     constrained_edges: Optional[ArrayLike] = None, seeds: Optional[ArrayLike] = None, component_links: bool = True,
-    *, threads: Optional[int] = None, progress: Optional[Progress] = None,
+    tolerance: Optional[float] = None, *, threads: Optional[int] = None, progress: Optional[Progress] = None,
 ) -> Labels:
     """The segment of each face, 0 to k - 1 in the order of their first faces.
 
-    number_of_segments: k; by default the method chooses it. There is a UserWarning where it is impossible.
-    method: learned (parts as people see them), visibility (the same by a formula without training), two-step
+    Parameters
+    ----------
+    number_of_segments : k; by default the method chooses it. There is a UserWarning where it is impossible.
+    method : learned (parts as people see them), visibility (the same by a formula without training), two-step
         (parts between concave creases; needs a number), or smooth-faces (the faces of machine parts).
-    constrained_edges: indices of points of shape (n, 2); these edges are borders of segments.
-    seeds: an integer for each face, -1 for none; faces with equal seeds end in one segment, others do not.
-    component_links: whether components that touch or are near each other can be in one segment.
+    constrained_edges : indices of points of shape (n, 2); these edges are borders of segments.
+    seeds : an integer for each face, -1 for none; faces with equal seeds end in one segment, others do not.
+    component_links : whether components that touch or are near each other can be in one segment.
+    tolerance : of smooth-faces: how far vertices may be from their surfaces; by default found from the mesh.
     """
     segmenter = Segmenter(
-        mesh, faces, method, constrained_edges, seeds, component_links, threads=threads, progress=progress)
+        mesh, method, constrained_edges, seeds, component_links, tolerance, threads=threads, progress=progress)
     return segmenter.segment(number_of_segments)
 
 
-def segment_borders(mesh: Any, faces: Any = None, labels: ArrayLike = ()) -> NDArray[np.int64]:
+def segment_borders(mesh: Any, labels: ArrayLike) -> NDArray[np.int64]:
     """The edges between faces of different labels: sorted indices of points, of shape (n, 2)."""
-    soup = _soup(mesh, faces)
+    soup = _soup(mesh)
     return _core.segment_borders(soup, _labels(soup, labels)).reshape(-1, 2)
 
 
-def describe_segments(mesh: Any, faces: Any = None, labels: ArrayLike = ()) -> list[Description]:
-    """A dictionary for each segment: see Description. They are in the order of their first faces.
+def describe_segments(mesh: Any, labels: ArrayLike) -> list[Description]:
+    """A Description of each segment, in the order of their first faces.
 
     What is not manifold is torn apart before; faces of fewer than three different points are left out.
     """
-    soup = _soup(mesh, faces)
-    return _core.describe_segments(soup, _labels(soup, labels))
+    soup = _soup(mesh)
+    return [Description(**_attributes(d, Neighbor)) for d in _core.describe_segments(soup, _labels(soup, labels))]
 
 
 def find_part_faces(
-    mesh: Any, faces: Any = None, *, progress: Optional[Progress] = None) -> tuple[Labels, list[PartFace]]:
+    mesh: Any, tolerance: Optional[float] = None, *, progress: Optional[Progress] = None,
+) -> tuple[Labels, list[PartFace]]:
     """The faces of a machine part as its designer drew them: their labels, and a PartFace for each.
 
-    Faces of the mesh of fewer than three different points have the label -1.
+    Faces of the mesh of fewer than three different points have the label -1. The tolerance is that of segment().
     """
-    return _core.find_part_faces(_soup(mesh, faces), progress)
+    labels, faces = _core.find_part_faces(_soup(mesh), _length("tolerance", tolerance or 0), progress)
+    return labels, [PartFace(**_attributes(face, PartFaceNeighbor)) for face in faces]
 
 
-def close_segments(mesh: Any, faces: Any = None, labels: ArrayLike = (), clearance: float = 0) -> list[Solid]:
+def close_segments(mesh: Any, labels: ArrayLike, clearance: float = 0) -> list[Solid]:
     """A closed mesh for each segment, its faces and caps: see Solid. They fit together.
 
     clearance: the distance between the caps of two solids, for parts that are printed; 0 or more.
     """
-    if not 0 <= clearance < float("inf"):
-        raise ValueError(f"clearance: not a finite length of at least 0, but {clearance!r}")
-    soup = _soup(mesh, faces)
+    soup = _soup(mesh)
+    closed = _core.close_segments(soup, _labels(soup, labels), _length("clearance", clearance))
     solids = []
-    for segment, points, corners, sizes, face_of_mesh in _core.close_segments(soup, _labels(soup, labels), clearance):
+    for segment, points, corners, sizes, face_of_mesh in closed:
         polygons = np.split(corners, np.cumsum(sizes)[:-1])
         same = len(set(sizes)) == 1
-        polygons = np.array(polygons) if same else [polygon.tolist() for polygon in polygons]
-        solids.append(Solid(segment=segment, points=points.reshape(-1, 3), faces=polygons, face_of_mesh=face_of_mesh))
+        faces: Any = np.array(polygons) if same else [p.tolist() for p in polygons]
+        solids.append(Solid(segment, points.reshape(-1, 3), faces, face_of_mesh))
     return solids
 
 
 def transfer_labels(from_mesh: Any, labels: ArrayLike, to_mesh: Any) -> Labels:
     """The labels of from_mesh for the faces of to_mesh: another mesh of the same surface, in the same place.
 
-    Meshes are objects or tuples (points, faces). Faces of fewer than three different points get -1.
+    Faces of fewer than three different points get -1.
     """
     source = _soup(from_mesh)
     return _core.transfer_labels(source, _labels(source, labels), _soup(to_mesh))
 
 
-def smooth_borders(
-    mesh: Any, faces: Any = None, labels: ArrayLike = (), *, progress: Optional[Progress] = None) -> Labels:
+def smooth_borders(mesh: Any, labels: ArrayLike, *, progress: Optional[Progress] = None) -> Labels:
     """The labels with the borders between segments moved to where they are short and in valleys.
 
     Constrained edges of the segmentation are not known here.
     """
-    soup = _soup(mesh, faces)
+    soup = _soup(mesh)
     return _core.smooth_borders(soup, _labels(soup, labels), progress)
+
+
+def colors(labels: ArrayLike) -> NDArray[np.uint8]:
+    """A color of each face, of shape (m, 3), as in pictures and files of the program; dark gray for -1."""
+    return _core.colors(_integers(labels, (None,), np.int32, "labels: not an int32 for each face")).reshape(-1, 3)

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_ANY_SEGMENTER_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_ANY_SEGMENTER_H
@@ -31,10 +31,11 @@ class Any_segmenter
                                Segmenter<CGAL::Region_segmentation::Smooth_faces>>;
 
 public:
-  /// `np`: named parameters of the segmenter, without its method
+  /// `tolerance`: of smooth-faces; `np`: named parameters of the segmenter, without its method
   template <typename NamedParameters>
-  Any_segmenter(const std::string& method, const Polygon_soup& soup, const NamedParameters& np)
-    : m_segmenter(prepare(method, soup, np))
+  Any_segmenter(const std::string& method, double tolerance, const Polygon_soup& soup,
+                const NamedParameters& np)
+    : m_segmenter(prepare(method, tolerance, soup, np))
   {}
 
   /// Writes the labels of a number of segments, or of one that the method chooses.
@@ -64,7 +65,7 @@ public:
 
 private:
   template <typename NamedParameters>
-  static Variant prepare(const std::string& method, const Polygon_soup& soup,
+  static Variant prepare(const std::string& method, double tolerance, const Polygon_soup& soup,
                          const NamedParameters& np)
   {
     namespace RS = CGAL::Region_segmentation;
@@ -78,8 +79,11 @@ private:
       return by(RS::Visibility_merging());
     if (method == "two-step")
       return by(RS::Two_step());
-    if (method == "smooth-faces")
-      return by(RS::Smooth_faces());
+    if (method == "smooth-faces") {
+      RS::Smooth_faces smooth_faces;
+      smooth_faces.tolerance = tolerance;
+      return by(smooth_faces);
+    }
     throw std::invalid_argument("method: not learned, visibility, two-step or smooth-faces");
   }
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: LGPL-3.0-or-later
 
 #ifndef CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MAKE_SOUP_H
 #define CGAL_REGION_SEGMENTATION_SEGMENT_MESH_MAKE_SOUP_H

@@ -11,9 +11,10 @@
 
 #include <boost/algorithm/hex.hpp>
 
-#include <zip.h>
+#include <minizip/zip.h>
 
-#include <memory>
+#include <algorithm>
+#include <cstdlib>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -30,37 +31,45 @@ namespace RS = CGAL::Region_segmentation;
 /// A file of a ZIP archive: its name and its content.
 using Entry = std::pair<std::string, std::string>;
 
+/// What `open_memstream()` has written.
+struct Memory
+{
+  char* data = nullptr;
+  std::size_t size = 0;
+
+  ~Memory() { std::free(data); }
+};
+
+voidpf open_memory(voidpf memory, const void*, int)
+{
+  return open_memstream(&static_cast<Memory*>(memory)->data, &static_cast<Memory*>(memory)->size);
+}
+
 std::string zip_archive(const std::vector<Entry>& entries)
 {
-  zip_error_t error;
-  zip_source_t* memory = zip_source_buffer_create(nullptr, 0, 0, &error);
-  zip_t* zip = memory ? zip_open_from_source(memory, ZIP_TRUNCATE, &error) : nullptr;
-  if (!zip)
-    throw std::runtime_error("a ZIP archive cannot be made");
-  zip_source_keep(memory); // after the end of the archive, too
-  const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> keeper(memory, zip_source_free);
-  constexpr zip_uint32_t level = 6;         // that of gzip; 9 takes twice the time for some percent
-  constexpr zip_uint16_t first_date = 0x21; // in 1980, so that equal meshes give equal files
-  bool is_done = true;
+  Memory memory;
+  zlib_filefunc64_def functions;
+  fill_fopen64_filefunc(&functions);
+  functions.zopen64_file = open_memory;
+  functions.opaque = &memory;
+  const zipFile zip = zipOpen2_64("", APPEND_STATUS_CREATE, nullptr, &functions);
+  zip_fileinfo info{};
+  info.dosDate = 0x21 << 16; // in 1980, so that equal meshes give equal files
+  constexpr int level = 6;   // that of gzip; 9 takes twice the time for some percent
+  bool is_done = zip != nullptr;
   for (const auto& [name, content] : entries) {
-    zip_source_t* source = zip_source_buffer(zip, content.data(), content.size(), 0);
-    const zip_int64_t index = zip_file_add(zip, name.c_str(), source, ZIP_FL_ENC_UTF_8);
-    is_done = is_done && index >= 0 &&
-              zip_file_set_dostime(zip, zip_uint64_t(index), 0, first_date, 0) == 0 &&
-              zip_set_file_compression(zip, zip_uint64_t(index), ZIP_CM_DEFLATE, level) == 0;
+    const int is_large = content.size() >= 0xffffffff;
+    is_done = is_done && zipOpenNewFileInZip64(zip, name.c_str(), &info, nullptr, 0, nullptr, 0,
+                                               nullptr, Z_DEFLATED, level, is_large) == ZIP_OK;
+    constexpr std::size_t most = 1 << 30; // the size of a part is an unsigned int
+    for (std::size_t i = 0; is_done && i < content.size(); i += most)
+      is_done = zipWriteInFileInZip(zip, content.data() + i,
+                                    unsigned((std::min)(most, content.size() - i))) == ZIP_OK;
+    is_done = is_done && zipCloseFileInZip(zip) == ZIP_OK;
   }
-  if (!is_done || zip_close(zip) != 0) {
-    zip_discard(zip);
+  if (!zip || zipClose(zip, nullptr) != ZIP_OK || !is_done)
     throw std::runtime_error("a ZIP archive cannot be made");
-  }
-  std::string result;
-  zip_stat_t size;
-  if (zip_source_stat(memory, &size) == 0 && zip_source_open(memory) == 0) {
-    result.resize(size.size);
-    result.resize(std::size_t(zip_source_read(memory, result.data(), size.size)));
-    zip_source_close(memory);
-  }
-  return result;
+  return {memory.data, memory.size};
 }
 
 constexpr const char* xml_start = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read/errors.h"
-#include "segmentation/Manifold.h"
 #include "write/write_segmentation.h"
 
 #ifdef SEGMENT_MESH_HAS_STEP
+#include "segmentation/Manifold.h"
+
 #include <step_text.h> // of the example mesh_to_step
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -21,7 +22,8 @@ Step_text make_step(const Output& output, const Result& result)
 try {
   ::Mesh mesh;
   CGAL::copy_face_graph(make_manifold(result.input.soup).mesh, mesh);
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  if (!CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
+    throw Output_error(output.file, "no solid: a face has a hole, or crosses itself");
   mesh_to_step::Step_part part = mesh_to_step::make_step_part(mesh);
   if (part.is_solid)
     return {std::move(part.text), std::move(part.remarks)};

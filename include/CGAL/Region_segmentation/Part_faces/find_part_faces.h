@@ -69,7 +69,7 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
 
 /// \ingroup PkgRegionSegmentationSegments
 /// finds the faces of a machine part, with the surface, role and neighbors of each: see
-/// `find_surface_faces()`, which takes a tolerance and any `Surface`.
+/// `find_surface_faces()`, which takes any `Surface`.
 ///
 /// `#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>`, which requires Eigen.
 ///
@@ -87,6 +87,12 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
 /// \param np an optional sequence of \ref PkgRegionSegmentationNP "Named Parameters":
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{the largest distance of a vertex from its surface, in units of the
+///                           mesh}
+///     \cgalParamType{a number type that is converted to `double`}
+///     \cgalParamDefault{0: found from the mesh}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{follows the progress, and can cancel}
 ///     \cgalParamType{a model of `SegmentationVisitor`}
@@ -104,6 +110,8 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
 ///
 /// Complexity: near linear in the number of faces of the mesh. Deterministic: the same numbers from
 /// every mesh type. Read-only; concurrent calls on different maps are safe.
+///
+/// \pre `tolerance` is at least 0
 template <typename FaceGraph, typename PartFaceMap, typename PartFaceOutputIterator,
           typename NamedParameters = parameters::Default_named_parameters>
 std::size_t find_part_faces(const FaceGraph& mesh, PartFaceMap part_face_map,
@@ -113,12 +121,15 @@ std::size_t find_part_faces(const FaceGraph& mesh, PartFaceMap part_face_map,
   static_assert(internal::check_face_map<PartFaceMap, FaceGraph>());
   const auto& pack = internal::pack(np);
   using Pack = std::decay_t<decltype(pack)>;
-  internal::check_parameters<Pack, internal::Tag_list<CGAL::internal_np::visitor_t>>();
+  internal::check_parameters<
+    Pack, internal::Tag_list<internal_np::tolerance_t, CGAL::internal_np::visitor_t>>();
   using Kernel = internal::Kernel_of_points<
     typename GetVertexPointMap<FaceGraph, Pack>::const_type>;
   const Execution execution = internal::make_execution<CGAL::Sequential_tag>(pack);
   const Surface surface = internal::make_surface(mesh, pack, execution);
-  const Surface_faces found = find_surface_faces(surface, 0, execution.stage("regions"));
+  const double tolerance = CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(pack, internal_np::tolerance), 0.0);
+  const Surface_faces found = find_surface_faces(surface, tolerance, execution.stage("regions"));
   std::vector<Part_face<Kernel>> result = internal::part_faces<Kernel>(surface, found);
   internal::add_neighbors(surface, found, result);
   write_face_values(mesh, found.partition, part_face_map);

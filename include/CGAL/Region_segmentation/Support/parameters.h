@@ -28,7 +28,8 @@
   ADD(component_links_t, component_links)                                                          \
   ADD(constrained_edges_t, constrained_edges)                                                      \
   ADD(region_map_t, region_map)                                                                    \
-  ADD(clearance_t, clearance)
+  ADD(clearance_t, clearance)                                                                      \
+  ADD(tolerance_t, tolerance)
 
 namespace CGAL {
 namespace Region_segmentation {

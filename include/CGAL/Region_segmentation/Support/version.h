@@ -6,8 +6,8 @@
 /// \file version.h
 /// The version of the package: the only place where it is written; CMake reads it from here.
 
-#define CGAL_REGION_SEGMENTATION_VERSION_MAJOR 0
-#define CGAL_REGION_SEGMENTATION_VERSION_MINOR 1
+#define CGAL_REGION_SEGMENTATION_VERSION_MAJOR 1
+#define CGAL_REGION_SEGMENTATION_VERSION_MINOR 0
 #define CGAL_REGION_SEGMENTATION_VERSION_PATCH 0
 
 /// The version as one number, to be compared: 10000 * major + 100 * minor + patch.
@@ -16,7 +16,7 @@
    CGAL_REGION_SEGMENTATION_VERSION_PATCH)
 
 /// The version as text.
-#define CGAL_REGION_SEGMENTATION_VERSION "0.1.0"
+#define CGAL_REGION_SEGMENTATION_VERSION "1.0.0"
 
 /// `CGAL_REGION_SEGMENTATION_COMPILED` is defined by users of the target
 /// `CGAL::Region_segmentation_compiled`: the code of `build_surface()` and of the methods is in one
