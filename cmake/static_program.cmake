@@ -1,6 +1,6 @@
 # cmake -D CMAKE_PROJECT_INCLUDE=cmake/static_program.cmake: segment_mesh as one file that needs no
 # library of the machine it runs on. It runs on one thread: of TBB there is no static library.
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
-set(Boost_USE_STATIC_LIBS ON)
+set(CGAL_Boost_USE_STATIC_LIBS ON)
 set(CMAKE_DISABLE_FIND_PACKAGE_TBB ON)
 add_link_options(-static -s)

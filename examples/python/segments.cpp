@@ -18,11 +18,9 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <array>
 #include <deque>
 #include <functional>
-#include <initializer_list>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -100,21 +98,19 @@ auto adder(py::dict& dictionary)
 struct Labelled_manifold : segment_mesh::Manifold_of<Mesh>
 {
   explicit Labelled_manifold(const Soup& soup)
+    : Labelled_manifold(soup, Labels(soup.polygons.size(), RS::no_segment))
+  {}
+  Labelled_manifold(const Soup& soup, const Labels& labels_of_soup)
     : Manifold_of<Mesh>(segment_mesh::make_manifold_of<Mesh>(soup))
     , map(get(CGAL::dynamic_face_property_t<std::int32_t>(), mesh))
     , number(get(CGAL::dynamic_face_property_t<std::int32_t>(), mesh))
-    , labels(soup.polygons.size(), RS::no_segment)
+    , labels(labels_of_soup)
   {
     auto f = face_of_mesh_face.begin();
-    for (const auto face : faces(mesh))
-      put(number, face, std::int32_t(*f++));
-  }
-  Labelled_manifold(const Soup& soup, const Labels& labels_of_soup)
-    : Labelled_manifold(soup)
-  {
-    labels = labels_of_soup;
-    for (const auto face : faces(mesh))
-      put(map, face, labels[get(number, face)]);
+    for (const auto face : faces(mesh)) {
+      put(number, face, std::int32_t(*f));
+      put(map, face, labels[*f++]);
+    }
   }
 
   /// By face of the soup; those of faces that are not in the mesh are as before, or `no_segment`.
@@ -133,23 +129,20 @@ struct Labelled_manifold : segment_mesh::Manifold_of<Mesh>
 py::dict to_dictionary(const RS::Fitted_surface<Kernel>& fitted)
 {
   const RS::Fitted_surface<Kernel> s = segment_mesh::from_apex(fitted);
-  const auto if_kind = [&](std::initializer_list<RS::Surface_kind> kinds, const auto& value) {
-    return std::find(kinds.begin(), kinds.end(), s.kind) != kinds.end() ? to_object(value)
-                                                                        : py::none();
+  const auto only_if = [](bool exists, const auto& value) {
+    return exists ? to_object(value) : py::none();
   };
   using Kind = RS::Surface_kind;
-  const auto kinds_with_point = {Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::SPHERE,
-                                 Kind::TORUS};
-  const auto kinds_with_direction = {Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::TORUS};
+  const bool has_point = s.kind != Kind::FREEFORM,
+             has_direction = has_point && s.kind != Kind::SPHERE,
+             has_radius = has_point && s.kind != Kind::PLANE && s.kind != Kind::CONE;
   return py::dict(
-    "type"_a = segment_mesh::name_of(s.kind),
-    "deviation"_a = if_kind(kinds_with_point, s.deviation),
-    "point"_a = if_kind(kinds_with_point, s.point),
-    "direction"_a = if_kind(kinds_with_direction, s.direction),
-    "extent"_a = if_kind(kinds_with_direction, std::array<double, 2>{s.lowest, s.highest}),
-    "radius"_a = if_kind({Kind::CYLINDER, Kind::SPHERE, Kind::TORUS}, s.radius),
-    "minor_radius"_a = if_kind({Kind::TORUS}, s.minor_radius),
-    "half_angle"_a = if_kind({Kind::CONE}, s.angle * 180 / CGAL_PI));
+    "type"_a = segment_mesh::name_of(s.kind), "deviation"_a = only_if(has_point, s.deviation),
+    "point"_a = only_if(has_point, s.point), "direction"_a = only_if(has_direction, s.direction),
+    "extent"_a = only_if(has_direction, std::array<double, 2>{s.lowest, s.highest}),
+    "radius"_a = only_if(has_radius, s.radius),
+    "minor_radius"_a = only_if(s.kind == Kind::TORUS, s.minor_radius),
+    "half_angle"_a = only_if(s.kind == Kind::CONE, s.angle * 180 / CGAL_PI));
 }
 
 py::dict to_dictionary(const RS::Segment_description<std::int32_t, Kernel>& d)
