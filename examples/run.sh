@@ -13,7 +13,7 @@ if [ $# -gt 2 ]; then
   exit 2
 fi
 
-sh "$root/cmake/install_packages.sh" g++ make cmake libzip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
+sh "$root/cmake/install_packages.sh" g++ make cmake libexpat1-dev libzip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
   libeigen3-dev libjs-three libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
 configured=$(cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release \
   -DREGION_SEGMENTATION_BUILD_PROGRAM=ON -DREGION_SEGMENTATION_BUILD_TESTS=OFF)
