@@ -16,7 +16,7 @@ if [ $# -gt 0 ] && [ ! -r "$1" ]; then
   exit 1
 fi
 
-sh "$root/cmake/install_packages.sh" g++ make cmake libminizip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
+sh "$root/cmake/install_packages.sh" g++ make cmake libexpat1-dev libminizip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
   libeigen3-dev libjs-three libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
 if [ ! -e "$root/build/bin/segment_mesh" ]; then
   # -O1 takes two thirds of the time of Release's -O3.

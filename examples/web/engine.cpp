@@ -28,6 +28,12 @@
 
 namespace segment_mesh {
 
+/// Emscripten has no minizip.
+Input_mesh read_3mf(const std::string& file, std::string_view)
+{
+  throw Input_error(file, "a .3mf is read by the program segment_mesh, not by this page");
+}
+
 namespace {
 
 using emscripten::val;

@@ -16,8 +16,11 @@ namespace {
 /// Bytes of memory for each byte of a file. The worst is a header of a PLY that promises more faces
 /// than there are.
 constexpr std::size_t most_memory_per_byte = 32;
-/// A glTF file may repeat a mesh, within bounds that are generous for a small file.
-constexpr std::size_t harmless_memory = Mesh_format::FORMAT == Mesh_format::GLTF ? 100000000 : 0;
+/// glTF and 3MF files may repeat a mesh, within bounds that are generous for a small file.
+constexpr std::size_t harmless_memory = Mesh_format::FORMAT == Mesh_format::GLTF ||
+                                            Mesh_format::FORMAT == Mesh_format::THREE_MF
+                                          ? 100000000
+                                          : 0;
 
 std::size_t memory_of(const Polygon_soup& soup)
 {

@@ -14,7 +14,7 @@ mkdir -p "$1"
 dir=$(cd "$1" && pwd)
 targets=$2
 shift 2
-[ "$targets" != all ] || targets="read_off read_obj read_ply read_stl read_gltf read_labels command_line"
+[ "$targets" != all ] || targets="read_off read_obj read_ply read_stl read_gltf read_three_mf read_labels command_line"
 
 compiler=${CLANGXX:-clang++}
 if ! printf 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |

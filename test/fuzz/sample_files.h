@@ -5,8 +5,11 @@
 
 #include "soup/little_endian.h"
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 
 // A tetrahedron in every format, as its file may stand on a disk. Points 0 (0,0,0), 1 (1,0,0),
@@ -135,6 +138,29 @@ inline std::string glb(std::string json = gltf_json(""), const std::string& buff
   bytes += "JSON" + json;
   segment_mesh::append_little_endian(bytes, std::uint32_t(buffer.size()));
   return bytes + std::string("BIN\0", 4) + buffer;
+}
+
+/// An archive of one file without compression.
+inline std::string zip(const std::string& name, const std::string& content)
+{
+  const auto little_endian = [](std::initializer_list<std::uint32_t> numbers) {
+    std::string bytes;
+    for (const std::uint32_t number : numbers)
+      segment_mesh::append_little_endian(bytes, number);
+    return bytes;
+  };
+  const std::uint32_t size = std::uint32_t(content.size()), length = std::uint32_t(name.size());
+  boost::crc_32_type crc;
+  crc.process_bytes(content.data(), content.size());
+  // Version, flags, method, time, date; then sum, sizes, the length of the name, and none of more.
+  std::string common("\x14\0\0\0\0\0\0\0\x21\0", 10);
+  common += little_endian({crc.checksum(), size, size, length});
+  const std::string entry = "PK\3\4" + common + name + content;
+  const std::string directory = std::string("PK\1\2\x14\0", 6) + common + std::string(14, '\0') +
+                                name;
+  return entry + directory + std::string("PK\5\6\0\0\0\0\1\0\1\0", 12) +
+         little_endian({std::uint32_t(directory.size()), std::uint32_t(entry.size())}) +
+         std::string(2, '\0');
 }
 
 /// The text with the first `from` in it replaced.

@@ -94,6 +94,21 @@ void write_gltf(Corpus corpus)
     sample::glb(with(sample::gltf_json(""), R"("indices":1,"mode":4)", R"("indices":1,"mode":5)")));
 }
 
+/// ZIP archives of one file that is not compressed, whose text thus is changed by fuzzing, too.
+void write_three_mf(Corpus corpus)
+{
+  const std::string start =
+    R"(<model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>)"
+    R"(<basematerials id="5"><base name="a"/><base name="b"/></basematerials><object id="1" pid="5" pindex="1"><mesh>)"
+    R"(<vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices><triangles>)";
+  const std::string end =
+    R"(</triangles></mesh></object><object id="2"><components><component objectid="1"/></components>)"
+    R"(</object></resources><build><item objectid="2"/></build></model>)";
+  for (const char* more : {"", R"(paint_color="88443")", R"(p1="0")"})
+    corpus.add(sample::zip("3D/3dmodel.model",
+                           start + R"(<triangle v1="0" v2="1" v3="2" )" + more + "/>" + end));
+}
+
 void write_labels(Corpus corpus)
 {
   corpus.add("0\n1\n1\n0\n");
@@ -124,6 +139,7 @@ int main(int argc, char** argv)
   write_ply({root, "read_ply"});
   write_stl({root, "read_stl"});
   write_gltf({root, "read_gltf"});
+  write_three_mf({root, "read_three_mf"});
   write_labels({root, "read_labels"});
   write_command_lines({root, "command_line"});
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Region_segmentation/Support/version.h>
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -333,7 +334,8 @@ std::optional<Options> parse_command_line(int argc, const char* const* argv)
   } catch (const CLI::ExtrasError&) {
     throw unknown_option(app, app.remaining().front());
   } catch (const CLI::ParseError& error) {
-    throw Usage_error(error.what());
+    throw Usage_error(boost::replace_all_copy(std::string(error.what()),
+                                              "At Most 1 required but received", "one value, not"));
   }
   if (argc <= 1 || asked != end) {
     std::cout << help(app, asked + 1 < end ? asked[1] : "");

@@ -144,28 +144,46 @@ void Text_scanner::fail(const std::string& cause) const
   throw Input_error(m_file, m_line_number, cause);
 }
 
-double Text_scanner::finite_number(std::string_view word) const
+double finite_number(std::string_view word)
 {
   const std::string_view digits = without_plus(word);
   double value = 0;
   const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    fail(in_quotes(word) + " is not a number");
+    throw Value_error(in_quotes(word) + " is not a number");
   if (error == std::errc::result_out_of_range)
     value = std::strtod(std::string(digits).c_str(), nullptr); // infinite, or near to 0
   if (!std::isfinite(value))
-    fail(in_quotes(word) + " is not a finite number");
+    throw Value_error(in_quotes(word) + " is not a finite number");
   return value;
 }
 
-std::int64_t Text_scanner::integer(std::string_view word, const char* what) const
+double Text_scanner::finite_number(std::string_view word) const
+{
+  try {
+    return segment_mesh::finite_number(word);
+  } catch (const Value_error& error) {
+    fail(error.what());
+  }
+}
+
+std::int64_t integer(std::string_view word, const char* what)
 {
   const std::string_view digits = without_plus(word);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size())
-    fail(in_quotes(word) + " is not " + what);
+    throw Value_error(in_quotes(word) + " is not " + what);
   return value;
+}
+
+std::int64_t Text_scanner::integer(std::string_view word, const char* what) const
+{
+  try {
+    return segment_mesh::integer(word, what);
+  } catch (const Value_error& error) {
+    fail(error.what());
+  }
 }
 
 double number_or_zero(std::string_view word)

@@ -71,6 +71,13 @@ private:
   std::size_t m_line_number = 1, m_next_line_number = 1;
 };
 
+/// \name The value of a word, as of `Text_scanner`
+/// \throws Value_error
+/// @{
+double finite_number(std::string_view word);
+std::int64_t integer(std::string_view word, const char* what);
+/// @}
+
 /// The value of a word; 0 if it is not a number, or one too large. For colors and textures, which
 /// are no reason to refuse a mesh.
 double number_or_zero(std::string_view word);

@@ -43,6 +43,13 @@ public:
   {}
 };
 
+/// What is wrong with a value; who knows its place makes an `Input_error` of it.
+class Value_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// An output that could not be written. The message is one line: `file: cause`.
 class Output_error : public std::runtime_error
 {

@@ -70,8 +70,9 @@ std::string list_of_endings(const std::vector<std::string>& endings)
 const std::vector<std::pair<std::string, Mesh_format>>& mesh_formats()
 {
   static const std::vector<std::pair<std::string, Mesh_format>> formats = {
-    {"off", Mesh_format::OFF}, {"obj", Mesh_format::OBJ},  {"ply", Mesh_format::PLY},
-    {"stl", Mesh_format::STL}, {"glb", Mesh_format::GLTF}, {"gltf", Mesh_format::GLTF}};
+    {"off", Mesh_format::OFF},     {"obj", Mesh_format::OBJ},  {"ply", Mesh_format::PLY},
+    {"stl", Mesh_format::STL},     {"glb", Mesh_format::GLTF}, {"gltf", Mesh_format::GLTF},
+    {"3mf", Mesh_format::THREE_MF}};
   return formats;
 }
 
@@ -111,17 +112,18 @@ std::string stem_of_input(const std::string& file)
 
 Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_view bytes)
 {
-  const auto read = format == Mesh_format::OFF   ? read_off
-                    : format == Mesh_format::OBJ ? read_obj
-                    : format == Mesh_format::PLY ? read_ply
-                    : format == Mesh_format::STL ? read_stl
-                                                 : read_gltf;
+  const auto read = format == Mesh_format::OFF    ? read_off
+                    : format == Mesh_format::OBJ  ? read_obj
+                    : format == Mesh_format::PLY  ? read_ply
+                    : format == Mesh_format::STL  ? read_stl
+                    : format == Mesh_format::GLTF ? read_gltf
+                                                  : read_3mf;
   Input_mesh input = read(file, bytes);
   if (input.soup.polygons.empty())
     throw Input_error(file, "no faces");
   input.properties.colors.finish(input.soup);
   input.properties.texture.finish(input.soup);
-  if (format == Mesh_format::STL || format == Mesh_format::GLTF)
+  if (format == Mesh_format::STL || format == Mesh_format::GLTF || format == Mesh_format::THREE_MF)
     merge_equal_points(input.soup);
   return input;
 }

@@ -23,7 +23,7 @@ std::string ending_of(const std::string& file);
 std::string list_of_endings(const std::vector<std::string>& endings);
 
 /// The formats that are read.
-enum class Mesh_format { OFF, OBJ, PLY, STL, GLTF };
+enum class Mesh_format { OFF, OBJ, PLY, STL, GLTF, THREE_MF };
 
 /// The name of a file that stands for standard input.
 constexpr const char* standard_input = "-";
@@ -93,10 +93,14 @@ Input_mesh read_stl(const std::string& file, std::string_view bytes);
 /// Text and binary: the triangles of the scene that is shown, as it places them. Buffers are in the
 /// file, or in files of its folder.
 Input_mesh read_gltf(const std::string& file, std::string_view bytes);
+/// The items of the build, also with components in other files of the archive. A triangle that is
+/// painted in several colors has the one of most of it, with a remark.
+Input_mesh read_3mf(const std::string& file, std::string_view bytes);
 /// @}
 
-/// Reads a .off, .obj, .ply, .stl, .glb or .gltf file, also one that gzip has compressed, or
-/// standard input for `-`. Nothing is repaired; the equal points of STL and glTF files are merged.
+/// Reads a .off, .obj, .ply, .stl, .glb, .gltf or .3mf file, also one that gzip has compressed, or
+/// standard input for `-`. Nothing is repaired; the equal points of STL, glTF and 3MF files are
+/// merged.
 ///
 /// \param format if empty, the one that the ending names
 /// \throws Input_error naming file, line if known, and cause

@@ -131,11 +131,14 @@ Input_mesh read_text(const std::string& file, std::string_view bytes)
   bool is_in_solid = false;
   for (std::string_view word = scan.word_of_any_line(); !word.empty();
        word = scan.word_of_any_line()) {
-    const bool is_end = is_word(word, "endsolid") ||
+    const bool is_end = is_word(word.substr(0, 8), "endsolid") || // a name may follow at once
                         (is_word(word, "end") && is_word(scan.word_of_any_line(), "solid"));
     if (is_word(word, "solid") && !is_in_solid) {
       is_in_solid = true;
-      solids.start_new(read_name(scan), points.size() / 3);
+      if (const std::string name = read_name(scan); name.empty())
+        solids.start_new(name, points.size() / 3);
+      else
+        solids.start(name, points.size() / 3);
     } else if (is_end && is_in_solid) {
       read_name(scan);
       is_in_solid = scan.has_word(); // the start of the next solid was taken for this name

@@ -14,12 +14,12 @@
 
 namespace segment_mesh {
 
-/// What sets of faces are in a file: groups and objects of OBJ, nodes of glTF; materials of both;
-/// the solids of STL.
-enum class Set_kind { GROUPS, MATERIALS, SOLIDS };
+/// What sets of faces are in a file: groups and objects of OBJ, nodes of glTF, objects of 3MF;
+/// their materials; the solids of STL; the extruders that 3MF is painted for.
+enum class Set_kind { GROUPS, MATERIALS, SOLIDS, PAINT };
 
 /// The names of the kinds, in their order.
-constexpr const char* set_kind_names[] = {"groups", "materials", "solids"};
+constexpr const char* set_kind_names[] = {"groups", "materials", "solids", "paint"};
 
 /// Sets that share out the faces of a mesh, with their names in the file. A set may be empty, and
 /// two may have the same name.
@@ -90,7 +90,7 @@ struct Mesh_properties
 
   static constexpr Rgb white = {1, 1, 1};
 
-  std::array<Face_sets, 3> sets;                   ///< by `Set_kind`
+  std::array<Face_sets, 4> sets;                   ///< by `Set_kind`
   Corner_values<Rgb> colors;                       ///< from 0 to 1, in sRGB
   Corner_values<Texture_point> texture;            ///< u to the right, v up
   std::shared_ptr<const Material_library> library; ///< null if there is none

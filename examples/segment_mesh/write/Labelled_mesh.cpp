@@ -53,7 +53,7 @@ Corner_values<Value> extract_values(const Corner_values<Value>& all, const Polyg
 std::string singular(Set_kind kind)
 {
   const std::string name = set_kind_names[std::size_t(kind)];
-  return name.substr(0, name.size() - 1);
+  return name.substr(0, name.size() - (name.back() == 's'));
 }
 
 std::vector<Mesh_properties::Rgb> colors_of_points(const Labelled_mesh& mesh)

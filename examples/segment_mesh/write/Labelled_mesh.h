@@ -70,7 +70,7 @@ std::vector<Segment_triangles> triangles_of_segments(const Labelled_mesh& mesh);
 /// The name of a file that is given from one folder, as seen from another one; links are followed.
 std::string relative_name(const std::string& from, const std::string& name, const std::string& to);
 
-/// "group", "material", "solid".
+/// "group", "material", "solid", "paint".
 std::string singular(Set_kind kind);
 
 /// Empty if there are none.

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <system_error>
 
 namespace segment_mesh {
 
@@ -110,6 +111,10 @@ Output make_output(const std::string& text, Output_content content)
     output.compression = Compression::GZIP;
     name.replace_extension();
   }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored))
+    throw Usage_error(file + ": is a folder; a file in it is named as " +
+                      (name / "{stem}.ply").string());
   if (output.is_stdout() && content == Output_content::BORDERS)
     throw Usage_error("--borders -: borders are written to a file");
   if (file == text) // no format before a colon

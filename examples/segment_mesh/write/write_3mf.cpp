@@ -118,9 +118,10 @@ void write_model(std::ostream& out, const std::vector<Segment_triangles>& segmen
   text << "</build>\n</model>\n";
 }
 
-/// The code of PrusaSlicer for a triangle that is not divided: the bits 00, then two bits with the
-/// number of the extruder, from 1, or, from 3 on, 11 and four bits with the number less 3. The
-/// hexadecimal digits of four bits each come from the last to the first.
+/// The code of PrusaSlicer, which Bambu Studio and OrcaSlicer read as `paint_color`, for a triangle
+/// that is not divided: the bits 00, then two bits with the number of the extruder, from 1, or, from
+/// 3 on, 11 and four bits with the number less 3. The hexadecimal digits of four bits each come from
+/// the last to the first.
 std::string paint_of_extruder(std::size_t extruder)
 {
   constexpr const char* digits = "0123456789ABCDEF";
@@ -141,10 +142,10 @@ void write_painted_model(std::ostream& out, const Labelled_mesh& mesh)
           "<resources>\n<object id=\"1\" type=\"model\">\n";
   write_triangles(text, mesh.soup.points, triangles, [&, &faces = face_of_triangle](std::size_t t) {
     const std::size_t segment = mesh.segment_of_face[faces[t]];
-    return segment == RS::no_segment
-             ? ""
-             : " slic3rpe:mmu_segmentation=\"" +
-                 paint_of_extruder(1 + segment % number_of_extruders) + "\"";
+    if (segment == RS::no_segment)
+      return std::string();
+    const std::string paint = paint_of_extruder(1 + segment % number_of_extruders);
+    return " slic3rpe:mmu_segmentation=\"" + paint + "\" paint_color=\"" + paint + "\"";
   });
   text << "</object>\n</resources>\n<build>\n<item objectid=\"1\"/>\n</build>\n</model>\n";
 }
