@@ -121,7 +121,7 @@ TEST(Learned_merging_test, a_model_of_a_user_is_shared_by_copies_that_outlive_th
   EXPECT_EQ(&copy.model(), &original->model());
   original.reset();
   EXPECT_EQ(copy.model().name, "concavity-1");
-  EXPECT_EQ(RS::Learned_merging().model().name, "learned-2");
+  EXPECT_EQ(RS::Learned_merging().model().name, "learned-3");
 
   std::mt19937 random(9);
   const Graph graph = random_graph(random);
