@@ -5,7 +5,7 @@
 #include "write/write_segmentation.h"
 
 #ifdef SEGMENT_MESH_HAS_STEP
-#include <step_text.h> // of the example mesh_to_step
+#include <step_part.h> // of the example mesh_to_step
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -19,7 +19,7 @@ namespace segment_mesh {
 
 Step_text make_step(const Output& output, const Result& result)
 try {
-  ::Mesh mesh;
+  mesh_to_step::Mesh mesh;
   CGAL::copy_face_graph(make_manifold(result.input.soup).mesh, mesh);
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   mesh_to_step::Step_part part = mesh_to_step::make_step_part(mesh);
