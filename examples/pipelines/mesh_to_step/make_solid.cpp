@@ -94,11 +94,12 @@ TopoDS_Shape make_shape(const Mesh& mesh, const Bodies& bodies, const Labels& la
   std::map<std::size_t, std::map<std::size_t, TopoDS_Shell>> shells; // by body and component
   std::set<std::size_t> added;
   for (auto f : faces(mesh))
-    if (!shapes[labels[f]].IsNull() && added.insert(labels[f]).second) {
+    if (added.insert(labels[f]).second) {
       TopoDS_Shell& shell = shells[bodies.body[f]][bodies.component[f]];
       if (shell.IsNull())
         builder.MakeShell(shell);
-      builder.Add(shell, shapes[labels[f]]);
+      for (TopExp_Explorer face(shapes[labels[f]], TopAbs_FACE); face.More(); face.Next())
+        builder.Add(shell, face.Current());
     }
   TopoDS_Compound result;
   builder.MakeCompound(result);
@@ -134,9 +135,10 @@ std::vector<std::size_t> labels_of_faces(const TopoDS_Shape& shape,
 
 } // namespace
 
-Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces)
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces, Facets facets)
 {
-  constexpr int rounds = 4; // in which edges of facets can make neighbors wrong
+  // Edges of facets can make neighbors wrong.
+  const int rounds = facets == Facets::ALLOWED ? 4 : 1;
   share_axes(part_faces, 1e-6 * size_of(mesh));
   Solid result;
   result.mesh = std::move(mesh);
@@ -152,6 +154,7 @@ Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_face
   for (int round = 1;; ++round) {
     const Trimmed_faces trimmed(result.mesh, labelled);
     const std::set<std::size_t> wrong = wrong_faces(trimmed, labelled);
+    result.faces_as_facets.insert(wrong.begin(), wrong.end());
     if (wrong.empty() || round == rounds) {
       result.shape = make_shape(result.mesh, bodies, labelled.labels, trimmed.shapes());
       result.labels = labelled.labels;
@@ -161,7 +164,6 @@ Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_face
         result.expected_volume += m.volume;
       return result;
     }
-    result.faces_as_facets.insert(wrong.begin(), wrong.end());
     divide_into_facets(result.mesh, wrong, labelled);
   }
 }

@@ -12,6 +12,9 @@
 
 namespace mesh_to_step {
 
+/// Whether a face that cannot be made of its surface may stay its triangles.
+enum class Facets { REFUSED, ALLOWED };
+
 /// A part as a boundary representation.
 struct Solid
 {
@@ -20,18 +23,20 @@ struct Solid
   Labels labels;      ///< by triangle: the faces of the part, then triangles of some of them
   std::size_t number_of_labels = 0;
   std::vector<std::size_t> label_of_face; ///< by face of `shape`, in its order
-  std::set<std::size_t> faces_as_facets;  ///< the faces of the part that are triangles in `shape`
+  std::set<std::size_t> faces_as_facets;  ///< the faces that cannot be made of their surfaces
   /// That of the mesh, if its triangles are bent to the surfaces of their faces.
   double expected_volume = 0;
 };
 
 /// Makes a solid of the faces of a machine part: each is its surface, trimmed by edges that it
-/// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles if
-/// what is made of it is not valid, or has not the area of its triangles bent to its surface.
+/// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles, if
+/// that is allowed, where what is made of it is not valid, or has not the area of its triangles
+/// bent to its surface.
 ///
 /// \param mesh of triangles
 /// \param face_of_triangle, part_faces as found by `find_part_faces()`
-Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces);
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces,
+                 Facets facets = Facets::ALLOWED);
 
 } // namespace mesh_to_step
 

@@ -3,7 +3,6 @@
 #include "step_part.h"
 
 #include "check_solid.h"
-#include "make_solid.h"
 #include "report.h"
 #include "step_text.h"
 
@@ -128,14 +127,14 @@ Step_part make_step_part(Mesh mesh, Facets facets)
   auto face_of_triangle = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part_face").first;
   Part_faces faces;
   RS::find_part_faces(mesh, face_of_triangle, std::back_inserter(faces));
-  const Solid solid = make_solid(mesh, face_of_triangle, faces);
+  const Solid solid = make_solid(mesh, face_of_triangle, faces, facets);
   Step_part result;
   result.text = step_text(solid.shape, face_names(solid, faces));
   result.remarks.push_back(std::to_string(faces.size()) + " faces of the part");
   tell(
     solid.faces_as_facets, mesh, face_of_triangle,
     [&](std::size_t face, const std::string& where) {
-      return face_name(faces, face) + " " + where + " is facets";
+      return face_name(faces, face) + " " + where + " cannot be made of its surface";
     },
     result.remarks);
   tell_border(mesh, result.remarks);

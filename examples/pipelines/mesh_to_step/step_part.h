@@ -3,15 +3,12 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_STEP_PART_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_STEP_PART_H
 
-#include "part_mesh.h"
+#include "make_solid.h"
 
 #include <string>
 #include <vector>
 
 namespace mesh_to_step {
-
-/// Whether a face that gets no surface may stay its triangles.
-enum class Facets { REFUSED, ALLOWED };
 
 /// A part as a STEP file.
 struct Step_part
