@@ -69,6 +69,20 @@ std::set<std::size_t> wrong_faces(const Certificate& measured, const Part_faces&
   return result;
 }
 
+void tell_errors(const std::set<std::size_t>& wrong, const Certificate& certificate,
+                 const Solid& solid, const Part_faces& faces, std::vector<std::string>& remarks)
+{
+  const auto sentence = [&](std::size_t face, const std::string& where) {
+    const Face_errors& e = certificate.faces[face];
+    std::ostringstream text;
+    text << (face < faces.size() ? face_name(faces, face) : "facet") << ' ' << where
+         << ": vertices within " << e.of_vertices << ", the face within " << e.of_surface
+         << " of triangles, edges within " << e.of_edges;
+    return text.str();
+  };
+  tell(wrong, solid.mesh, solid.labels, sentence, remarks);
+}
+
 /// A sentence on the whole, and whether it is right.
 bool tell_whole(const Certificate& c, const Solid& solid, std::vector<std::string>& remarks)
 {
@@ -129,7 +143,6 @@ Step_part make_step_part(Mesh mesh, Facets facets)
   RS::find_part_faces(mesh, face_of_triangle, std::back_inserter(faces));
   const Solid solid = make_solid(mesh, face_of_triangle, faces, facets);
   Step_part result;
-  result.text = step_text(solid.shape, face_names(solid, faces));
   result.remarks.push_back(std::to_string(faces.size()) + " faces of the part");
   tell(
     solid.faces_as_facets, mesh, face_of_triangle,
@@ -138,22 +151,16 @@ Step_part make_step_part(Mesh mesh, Facets facets)
     },
     result.remarks);
   tell_border(mesh, result.remarks);
+  if (facets == Facets::REFUSED && !solid.faces_as_facets.empty()) {
+    result.report = report(faces, solid, {}, false);
+    return result;
+  }
+  result.text = step_text(solid.shape, face_names(solid, faces));
   const Certificate certificate = compare(shape_of(result.text), solid);
   const std::set<std::size_t> wrong = wrong_faces(certificate, faces, size_of(mesh));
-  tell(
-    wrong, solid.mesh, solid.labels,
-    [&](std::size_t face, const std::string& where) {
-      const Face_errors& e = certificate.faces[face];
-      std::ostringstream text;
-      text << (face < faces.size() ? face_name(faces, face) : "facet") << ' ' << where
-           << ": vertices within " << e.of_vertices << ", the face within " << e.of_surface
-           << " of triangles, edges within " << e.of_edges;
-      return text.str();
-    },
-    result.remarks);
+  tell_errors(wrong, certificate, solid, faces, result.remarks);
   const bool is_right = tell_whole(certificate, solid, result.remarks);
-  result.is_solid = is_right && wrong.empty() &&
-                    (facets == Facets::ALLOWED || solid.faces_as_facets.empty());
+  result.is_solid = is_right && wrong.empty();
   result.report = report(faces, solid, certificate, result.is_solid);
   return result;
 }
