@@ -107,6 +107,21 @@ private:
   TColStd_Array1OfReal m_flat;
 };
 
+/// The surface of control points, a row each.
+Handle(Geom_BSplineSurface)
+  surface_of(const Eigen::MatrixX3d& controls, const Knots& u, const Knots& v)
+{
+  const int columns = v.number_of_controls();
+  TColgp_Array2OfPnt poles(1, u.number_of_controls(), 1, columns);
+  for (int i = 0; i < u.number_of_controls(); ++i)
+    for (int j = 0; j < columns; ++j) {
+      const Eigen::Vector3d p = controls.row(i * columns + j);
+      poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
+    }
+  return new Geom_BSplineSurface(poles, u.knots(), v.knots(), u.multiplicities(),
+                                 v.multiplicities(), degree, degree);
+}
+
 /// The surface of least squares, with a small weight on second differences of control points, which
 /// decides where there are no samples.
 Handle(Geom_BSplineSurface) fit(const std::vector<Sample>& samples, const Knots& u, const Knots& v)
@@ -143,14 +158,7 @@ Handle(Geom_BSplineSurface) fit(const std::vector<Sample>& samples, const Knots&
   if (solver.info() != Eigen::Success)
     return nullptr;
   const Eigen::MatrixX3d solution = solver.solve(matrix.transpose() * sides);
-  TColgp_Array2OfPnt poles(1, u.number_of_controls(), 1, columns);
-  for (int i = 0; i < u.number_of_controls(); ++i)
-    for (int j = 0; j < columns; ++j) {
-      const Eigen::Vector3d p = solution.row(i * columns + j);
-      poles(i + 1, j + 1) = gp_Pnt(p.x(), p.y(), p.z());
-    }
-  return new Geom_BSplineSurface(poles, u.knots(), v.knots(), u.multiplicities(),
-                                 v.multiplicities(), degree, degree);
+  return surface_of(solution, u, v);
 }
 
 /// Moves the parameters of each sample to those of the point of the surface next to it, and returns
