@@ -2,6 +2,8 @@
 
 #include "Trimmed_faces.h"
 
+#include "freeform_surface.h"
+
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -60,7 +62,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      m_surfaces[face] = new ShapeAnalysis_Surface(simple_surface(m_faces.surfaces[face]));
+      m_surfaces[face] = projector(simple_surface(m_faces.surfaces[face]));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -77,12 +79,15 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
 
 bool Trimmed_faces::is_right(std::size_t face) const
 {
-  constexpr double tolerance = 0.005; // of the area
+  constexpr double tolerance = 0.01, precision_of_area = 1e-4; // of the area
   const TopoDS_Shape& shape = m_shapes[face];
   if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
     return false;
   GProp_GProps measured;
-  BRepGProp::SurfaceProperties(shape, measured);
+  if (is_freeform(face))
+    BRepGProp::SurfaceProperties(shape, measured, precision_of_area);
+  else
+    BRepGProp::SurfaceProperties(shape, measured);
   const double area = m_measures[face].area;
   return std::fabs(measured.Mass() - area) <= tolerance * area &&
          BRepCheck_Analyzer(shape).IsValid();
@@ -140,18 +145,34 @@ bool Trimmed_faces::is_inside_out(std::size_t face) const
 /// A surface through the vertices of a freeform face, and points of its edges.
 void Trimmed_faces::make_freeform_surface(std::size_t face)
 {
-  constexpr double tolerance = 1e-3; // of the size
-  Points points;
-  std::set<Mesh::Vertex_index> visited;
-  for (auto f : m_triangles[face])
-    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      if (visited.insert(source(h, m_mesh)).second)
-        points.push_back(source_point(h));
-      if (const auto piece = m_pieces.find(h); piece != m_pieces.end())
-        points.push_back(piece->second.middle());
+  constexpr double tolerance = 1e-4; // of the size
+  constexpr std::size_t most_edge_points = 4000;
+  Mesh triangles;
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> copies;
+  std::vector<Edge_point> edge_points;
+  for (auto f : m_triangles[face]) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (auto v : vertices_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const auto [copy, is_new] = copies.emplace(v, Mesh::Vertex_index());
+      if (is_new)
+        copy->second = triangles.add_vertex(m_mesh.point(v));
+      corners.push_back(copy->second);
     }
-  if (const auto surface = freeform_surface(points, tolerance * m_size); !surface.IsNull())
-    m_surfaces[face] = new ShapeAnalysis_Surface(surface);
+    if (triangles.add_face(corners) == Mesh::null_face())
+      return; // the face touches itself at a vertex
+  }
+  const int divisions = int(
+    std::clamp<std::size_t>(most_edge_points / (m_border_halfedges[face].size() + 1), 4, 16));
+  for (Halfedge h : m_border_halfedges[face])
+    if (const auto found = m_pieces.find(h); found != m_pieces.end())
+      for (int i = 0; i < divisions; ++i) {
+        const double share = double(i) / divisions;
+        edge_points.push_back({copies[source(h, m_mesh)], copies[target(h, m_mesh)], share,
+                               found->second.point(share)});
+      }
+  if (const auto surface = freeform_surface(triangles, edge_points, tolerance * m_size);
+      !surface.IsNull())
+    m_surfaces[face] = projector(surface);
 }
 
 /// The vertex of the solid for one of the mesh, on all simple surfaces there.
@@ -266,6 +287,7 @@ try {
 void Trimmed_faces::set_tolerances()
 {
   constexpr double margin = 1.1; // OpenCASCADE measures at other points
+  constexpr int samples = 8;
   for (TopoDS_Shape& shape : m_shapes)
     try {
       if (!shape.IsNull())
@@ -279,8 +301,8 @@ void Trimmed_faces::set_tolerances()
       Curve_piece piece;
       piece.curve = BRep_Tool::Curve(edge, piece.first, piece.last);
       if (!piece.curve.IsNull())
-        m_builder.UpdateEdge(
-          edge, margin * (std::max)(BRep_Tool::Tolerance(edge), gap(piece, {m_surfaces[i]})));
+        m_builder.UpdateEdge(edge, margin * (std::max)(BRep_Tool::Tolerance(edge),
+                                                       gap(piece, {m_surfaces[i]}, samples)));
     }
   for (const TopoDS_Shape& shape : m_shapes)
     if (!shape.IsNull())

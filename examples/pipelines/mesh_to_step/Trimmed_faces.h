@@ -19,8 +19,6 @@
 
 namespace mesh_to_step {
 
-using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
-
 /// The faces to make, by label: faces of the part, and facets, which are planes.
 struct Labelled_faces
 {

@@ -132,7 +132,8 @@ bool fits(const Border_curve& border, const Points& points, const Surfaces& surf
     if (border.piece.curve->Value(t[i]).Distance(points[i]) > tolerance ||
         (i > 0 && t[i] <= t[i - 1]))
       return false;
-  return gap(border.piece, surfaces) <= tolerance;
+  constexpr int samples = 16;
+  return gap(border.piece, surfaces, samples) <= tolerance;
 }
 
 /// The B-spline through the points, whose parameters are lengths along the polyline.
@@ -157,15 +158,15 @@ Border_curve interpolation(const Points& points)
 }
 
 /// A curve through the points, by one through more points of it, which are moved to the surfaces.
-Border_curve curve_on_surfaces(const Points& points, const Surfaces& surfaces)
+Border_curve curve_on_surfaces(const Points& points, const Surfaces& surfaces,
+                               std::size_t divisions)
 {
-  constexpr std::size_t divisions = 4;
   const Border_curve rough = interpolation(points);
   Points dense;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     dense.push_back(points[i]);
     for (std::size_t j = 1; j < divisions; ++j) {
-      const double share = double(j) / divisions;
+      const double share = double(j) / double(divisions);
       dense.push_back(
         nearest_point(surfaces, rough.piece.curve->Value((1 - share) * rough.parameters[i] +
                                                          share * rough.parameters[i + 1])));
@@ -179,21 +180,32 @@ Border_curve curve_on_surfaces(const Points& points, const Surfaces& surfaces)
   return fine;
 }
 
+/// The same of as few points as are enough.
+Border_curve curve_on_surfaces(const Points& points, const Surfaces& surfaces, double tolerance)
+{
+  constexpr std::size_t fewest = 4, most = 32;
+  for (std::size_t divisions = fewest;; divisions *= 2) {
+    const Border_curve result = curve_on_surfaces(points, surfaces, divisions);
+    const int samples = int(3 * divisions * points.size());
+    if (divisions == most || gap(result.piece, surfaces, samples) <= tolerance)
+      return result;
+  }
+}
+
 } // namespace
 
-double gap(const Curve_piece& piece, const Surfaces& surfaces)
+double gap(const Curve_piece& piece, const Surfaces& surfaces, int samples)
 {
-  constexpr int samples = 8;
   double result = 0;
   for (int i = 0; i <= samples; ++i) {
-    const gp_Pnt p = piece.curve->Value(piece.first + (piece.last - piece.first) * i / samples);
-    result = (std::max)(result, distance(surfaces, p));
+    result = (std::max)(result, distance(surfaces, piece.point(double(i) / samples)));
   }
   return result;
 }
 
 Border_curve make_curve(const Points& points, const Surfaces& surfaces, double tolerance)
 {
+  constexpr double curve_share = 0.1;
   std::vector<std::optional<Border_curve>> candidates{line(points)};
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const auto a = elementary(surfaces[i]), b = elementary(surfaces[surfaces.size() - 1 - i]);
@@ -208,7 +220,7 @@ Border_curve make_curve(const Points& points, const Surfaces& surfaces, double t
   for (const auto& candidate : candidates)
     if (candidate && fits(*candidate, points, surfaces, tolerance))
       return *candidate;
-  return curve_on_surfaces(points, surfaces);
+  return curve_on_surfaces(points, surfaces, curve_share * tolerance);
 }
 
 } // namespace mesh_to_step

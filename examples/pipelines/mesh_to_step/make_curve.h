@@ -23,8 +23,8 @@ struct Border_curve
 /// \param surfaces those of the two faces that are not freeform
 Border_curve make_curve(const Points& points, const Surfaces& surfaces, double tolerance);
 
-/// The largest distance of points of the curve to a surface.
-double gap(const Curve_piece& piece, const Surfaces& surfaces);
+/// The largest distance to a surface of points of the curve: of samples + 1 ones.
+double gap(const Curve_piece& piece, const Surfaces& surfaces, int samples);
 
 } // namespace mesh_to_step
 

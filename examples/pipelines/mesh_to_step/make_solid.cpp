@@ -2,17 +2,14 @@
 
 #include "make_solid.h"
 
-#include "Trimmed_faces.h"
+#include "bodies.h"
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/helpers.h>
 
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
+#include <NCollection_DataMap.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -28,11 +25,9 @@ namespace mesh_to_step {
 
 namespace {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
 /// Gives faces that have one axis, within the tolerance, exactly one: what is between them are then
 /// circles around it.
-void share_axes(std::vector<RS::Part_face<Kernel>>& faces, double tolerance)
+void share_axes(Part_faces& faces, double tolerance)
 {
   for (RS::Part_face<Kernel>& face : faces) {
     const Fitted_surface& first = faces[face.first_on_axis].surface;
@@ -89,34 +84,29 @@ std::set<std::size_t> wrong_faces(const Trimmed_faces& trimmed, const Labelled_f
   return others.empty() ? planes : others;
 }
 
-/// The shells of the components of the mesh, and if it is closed, a solid of each volume: of its
-/// outer shell, and those of its cavities.
-TopoDS_Shape make_shape(const Mesh& mesh, const Labels& labels,
+/// Of each body a solid: of its outer shell, and those of its voids; but shells, if the mesh is
+/// open.
+TopoDS_Shape make_shape(const Mesh& mesh, const Bodies& bodies, const Labels& labels,
                         const std::vector<TopoDS_Shape>& shapes)
 {
   const bool is_closed = CGAL::is_closed(mesh);
-  const auto number = get(boost::face_index, mesh);
-  std::vector<std::size_t> components(num_faces(mesh)), volumes(num_faces(mesh));
-  PMP::connected_components(mesh, boost::make_iterator_property_map(components.begin(), number));
-  if (is_closed)
-    PMP::volume_connected_components(mesh,
-                                     boost::make_iterator_property_map(volumes.begin(), number));
   BRep_Builder builder;
-  std::map<std::size_t, std::map<std::size_t, TopoDS_Shell>> shells; // by volume and component
+  std::map<std::size_t, std::map<std::size_t, TopoDS_Shell>> shells; // by body and component
   std::set<std::size_t> added;
   for (auto f : faces(mesh))
-    if (!shapes[labels[f]].IsNull() && added.insert(labels[f]).second) {
-      TopoDS_Shell& shell = shells[volumes[f]][components[f]];
+    if (added.insert(labels[f]).second) {
+      TopoDS_Shell& shell = shells[bodies.body[f]][bodies.component[f]];
       if (shell.IsNull())
         builder.MakeShell(shell);
-      builder.Add(shell, shapes[labels[f]]);
+      for (TopExp_Explorer face(shapes[labels[f]], TopAbs_FACE); face.More(); face.Next())
+        builder.Add(shell, face.Current());
     }
   TopoDS_Compound result;
   builder.MakeCompound(result);
-  for (auto& [volume, shells_of_volume] : shells) {
+  for (auto& [body, shells_of_body] : shells) {
     TopoDS_Solid solid;
     builder.MakeSolid(solid);
-    for (auto& [component, shell] : shells_of_volume) {
+    for (auto& [component, shell] : shells_of_body) {
       shell.Closed(BRep_Tool::IsClosed(shell));
       if (is_closed)
         builder.Add(solid, shell);
@@ -129,52 +119,53 @@ TopoDS_Shape make_shape(const Mesh& mesh, const Labels& labels,
   return result.NbChildren() == 1 ? TopoDS_Iterator(result).Value() : result;
 }
 
+/// The labels of the faces of the shape, in its order.
+std::vector<std::size_t> labels_of_faces(const TopoDS_Shape& shape,
+                                         const std::vector<TopoDS_Shape>& shapes)
+{
+  NCollection_DataMap<TopoDS_Shape, std::size_t, TopTools_ShapeMapHasher> label_of;
+  for (std::size_t label = 0; label < shapes.size(); ++label)
+    for (TopExp_Explorer face(shapes[label], TopAbs_FACE); face.More(); face.Next())
+      label_of.Bind(face.Current(), label);
+  std::vector<std::size_t> result;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    result.push_back(label_of.Find(face.Current()));
+  return result;
+}
+
 } // namespace
 
-Solid make_solid(Mesh mesh, const Labels& face_of_triangle,
-                 std::vector<RS::Part_face<Kernel>> part_faces)
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces, Facets facets)
 {
-  constexpr int rounds = 4; // in which edges of facets can make neighbors wrong
+  // Edges of facets can make neighbors wrong.
+  const int rounds = facets == Facets::ALLOWED ? 4 : 1;
   share_axes(part_faces, 1e-6 * size_of(mesh));
+  Solid result;
+  result.mesh = std::move(mesh);
+  const Bodies bodies = orient_bodies(result.mesh);
   Labelled_faces labelled;
-  labelled.labels = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:solid_face").first;
-  for (auto f : faces(mesh))
+  labelled.labels = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:solid_face")
+                      .first;
+  for (auto f : faces(result.mesh))
     labelled.labels[f] = face_of_triangle[f];
-  for (const RS::Part_face<Kernel>& face : part_faces)
+  for (const auto& face : part_faces)
     labelled.surfaces.push_back(face.surface);
   labelled.is_facet.resize(part_faces.size(), false);
-  Solid result;
   for (int round = 1;; ++round) {
-    const Trimmed_faces trimmed(mesh, labelled);
+    const Trimmed_faces trimmed(result.mesh, labelled);
     const std::set<std::size_t> wrong = wrong_faces(trimmed, labelled);
+    result.faces_as_facets.insert(wrong.begin(), wrong.end());
     if (wrong.empty() || round == rounds) {
-      result.shape = make_shape(mesh, labelled.labels, trimmed.shapes());
+      result.shape = make_shape(result.mesh, bodies, labelled.labels, trimmed.shapes());
+      result.labels = labelled.labels;
+      result.number_of_labels = labelled.surfaces.size();
+      result.label_of_face = labels_of_faces(result.shape, trimmed.shapes());
       for (const Measures& m : trimmed.measures())
         result.expected_volume += m.volume;
       return result;
     }
-    result.faces_as_facets.insert(wrong.begin(), wrong.end());
-    divide_into_facets(mesh, wrong, labelled);
+    divide_into_facets(result.mesh, wrong, labelled);
   }
-}
-
-Shape_properties properties_of(const TopoDS_Shape& shape)
-{
-  Shape_properties result{true, 0, 0, 0};
-  std::size_t solids = 0;
-  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-    ++solids;
-  for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
-    result.is_solid = result.is_solid && BRep_Tool::IsClosed(shell.Current());
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-    ++result.number_of_faces;
-  for (TopExp_Explorer edge(shape, TopAbs_EDGE); edge.More(); edge.Next())
-    result.gap = (std::max)(result.gap, BRep_Tool::Tolerance(TopoDS::Edge(edge.Current())));
-  result.is_solid = result.is_solid && solids > 0 && BRepCheck_Analyzer(shape).IsValid();
-  GProp_GProps measured;
-  BRepGProp::VolumeProperties(shape, measured);
-  result.volume = measured.Mass();
-  return result;
 }
 
 } // namespace mesh_to_step

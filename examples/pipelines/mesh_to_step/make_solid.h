@@ -3,9 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_SOLID_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_SOLID_H
 
-#include "part_surface.h"
-
-#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include "Trimmed_faces.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -14,35 +12,31 @@
 
 namespace mesh_to_step {
 
+/// Whether a face that cannot be made of its surface may stay its triangles.
+enum class Facets { REFUSED, ALLOWED };
+
 /// A part as a boundary representation.
 struct Solid
 {
   TopoDS_Shape shape; ///< a solid, or of a mesh that is open a shell; a compound of several
-  std::set<std::size_t> faces_as_facets; ///< the faces of the part that are triangles in `shape`
+  Mesh mesh;          ///< of the triangles, with their labels
+  Labels labels;      ///< by triangle: the faces of the part, then triangles of some of them
+  std::size_t number_of_labels = 0;
+  std::vector<std::size_t> label_of_face; ///< by face of `shape`, in its order
+  std::set<std::size_t> faces_as_facets;  ///< the faces that cannot be made of their surfaces
   /// That of the mesh, if its triangles are bent to the surfaces of their faces.
   double expected_volume = 0;
 };
 
 /// Makes a solid of the faces of a machine part: each is its surface, trimmed by edges that it
-/// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles if
-/// what is made of it is not valid, or has not the area of its triangles bent to its surface.
+/// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles, if
+/// that is allowed, where what is made of it is not valid, or has not the area of its triangles
+/// bent to its surface.
 ///
 /// \param mesh of triangles
 /// \param face_of_triangle, part_faces as found by `find_part_faces()`
-Solid make_solid(Mesh mesh,
-                 const Mesh::Property_map<Mesh::Face_index, std::size_t>& face_of_triangle,
-                 std::vector<RS::Part_face<Kernel>> part_faces);
-
-/// What OpenCASCADE says of a shape.
-struct Shape_properties
-{
-  bool is_solid; ///< whether it is solids, which are closed and valid
-  std::size_t number_of_faces;
-  double volume;
-  double gap; ///< the largest distance between an edge and a face that it bounds
-};
-
-Shape_properties properties_of(const TopoDS_Shape& shape);
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces,
+                 Facets facets = Facets::ALLOWED);
 
 } // namespace mesh_to_step
 

@@ -30,7 +30,7 @@ Measures measures(const std::array<gp_Pnt, 3>& c, const Surfaces& surface,
   for (std::size_t i = 0; i < 3; ++i) {
     const Curve_piece& s = sides[i];
     const bool is_inside = s.curve.IsNull();
-    middles[i] = is_inside ? nearest_point(surface, midpoint(c[i], c[(i + 1) % 3])) : s.middle();
+    middles[i] = is_inside ? nearest_point(surface, midpoint(c[i], c[(i + 1) % 3])) : s.point(0.5);
     firsts[i] = {s.curve, s.first, (s.first + s.last) / 2};
     lasts[i] = {s.curve, firsts[i].last, s.last};
   }

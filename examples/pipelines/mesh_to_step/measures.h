@@ -17,7 +17,7 @@ struct Curve_piece
   Handle(Geom_Curve) curve;
   double first = 0, last = 0;
 
-  gp_Pnt middle() const { return curve->Value((first + last) / 2); }
+  gp_Pnt point(double share) const { return curve->Value(first + share * (last - first)); }
 };
 
 /// The area of a surface and the volume between it and the origin.

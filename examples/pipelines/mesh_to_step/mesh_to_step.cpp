@@ -1,29 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A machine part as a solid of planes, cylinders, cones, spheres, tori and freeform faces, in a
-// STEP file: mesh_to_step PART.stl PART.step. Ends with 1 if the solid in the file is not closed,
-// valid, and of the volume of the part.
+// Machine parts as solids of planes, cylinders, cones, spheres, tori and freeform faces, in a STEP
+// file: mesh_to_step PART.stl PART.step [--allow-facets] [--report PART.json]. What is written is
+// read again and compared with the mesh; if it is not right, the program says what is wrong, writes
+// no STEP file, and ends with 1.
 
-#include "../../example_mesh.h"
+#include "bodies.h"
+#include "step_part.h"
 
-#include "step_text.h"
+#include <CGAL/IO/polygon_soup_io.h>
 
 #include <Standard_Failure.hxx>
 
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Options
+{
+  std::vector<std::string> files;
+  std::string report;
+  mesh_to_step::Facets facets = mesh_to_step::Facets::REFUSED;
+};
+
+Options read_options(int argc, char** argv)
+{
+  Options result;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--allow-facets")
+      result.facets = mesh_to_step::Facets::ALLOWED;
+    else if (word == "--report" && i + 1 < argc)
+      result.report = argv[++i];
+    else
+      result.files.push_back(word);
+  }
+  if (result.files.empty())
+    result.files.push_back(CGAL::data_file_path("flange.off"));
+  if (result.files.size() == 1)
+    result.files.push_back("mesh_to_step.step");
+  return result;
+}
+
+mesh_to_step::Mesh read_bodies(const std::string& file)
+{
+  std::vector<mesh_to_step::Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  if (!CGAL::IO::read_polygon_soup(file, points, polygons) || polygons.empty())
+    throw std::runtime_error(file + " cannot be read as a mesh");
+  return mesh_to_step::make_bodies(points, polygons);
+}
+
+void write(const std::string& file, const std::string& text)
+{
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
+    throw std::runtime_error(file + " cannot be written");
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 try {
-  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(
-    read_mesh(argc, argv, "flange.off"));
+  const Options options = read_options(argc, argv);
+  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(read_bodies(options.files[0]),
+                                                                    options.facets);
   for (const std::string& remark : part.remarks)
     std::cout << remark << '\n';
-  const char* const name = argc > 2 ? argv[2] : "mesh_to_step.step";
-  std::ofstream file(name, std::ios::binary);
-  file << part.text;
-  file.close();
-  if (!file)
-    std::cerr << name << " cannot be written\n";
-  return part.is_solid && file ? EXIT_SUCCESS : EXIT_FAILURE;
+  if (!options.report.empty())
+    write(options.report, part.report);
+  if (!part.is_solid) {
+    std::cerr << options.files[1] << " is not written\n";
+    return EXIT_FAILURE;
+  }
+  write(options.files[1], part.text);
+  return EXIT_SUCCESS;
 } catch (const Standard_Failure& failure) {
   std::cerr << "no solid is made: " << failure.GetMessageString() << '\n';
+  return EXIT_FAILURE;
+} catch (const std::exception& failure) {
+  std::cerr << failure.what() << '\n';
   return EXIT_FAILURE;
 }

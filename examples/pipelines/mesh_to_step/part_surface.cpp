@@ -3,23 +3,103 @@
 #include "part_surface.h"
 
 #include <Eigen/Dense>
-#include <GeomPlate_BuildPlateSurface.hxx>
-#include <GeomPlate_MakeApprox.hxx>
-#include <GeomPlate_PointConstraint.hxx>
-#include <GeomPlate_Surface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
-#include <Standard_Failure.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Pnt2d.hxx>
+#include <gp_XY.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace mesh_to_step {
+
+namespace {
+
+/// Projects to a B-spline surface: from the nearest of many points of it, by Gauss and Newton's
+/// method, with halved steps where the distance grows. (OpenCASCADE's projection to surfaces of
+/// many spans misses the nearest point.)
+class Spline_projector : public ShapeAnalysis_Surface
+{
+public:
+  explicit Spline_projector(const Handle(Geom_BSplineSurface) & surface)
+    : ShapeAnalysis_Surface(surface)
+    , m_surface(surface)
+  {
+    constexpr int per_span = 3, most = 48;
+    surface->Bounds(m_u[0], m_u[1], m_v[0], m_v[1]);
+    const int columns = (std::min)(most, per_span * surface->NbUKnots()),
+              rows = (std::min)(most, per_span * surface->NbVKnots());
+    for (int i = 0; i <= columns; ++i)
+      for (int j = 0; j <= rows; ++j) {
+        const gp_Pnt2d uv(m_u[0] + (m_u[1] - m_u[0]) * i / columns,
+                          m_v[0] + (m_v[1] - m_v[0]) * j / rows);
+        m_samples.emplace_back(uv, surface->Value(uv.X(), uv.Y()));
+      }
+  }
+
+  /// Starts at several points, since a surface may come back to itself beyond the face.
+  gp_Pnt2d nearest(const gp_Pnt& p) const
+  {
+    constexpr std::size_t starts = 16;
+    std::vector<std::pair<double, gp_Pnt2d>> found;
+    for (const auto& [uv, q] : m_samples)
+      found.emplace_back(p.SquareDistance(q), uv);
+    const auto is_nearer = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::partial_sort(found.begin(), found.begin() + starts, found.end(), is_nearer);
+    found.resize(starts);
+    for (auto& [squared_distance, uv] : found)
+      squared_distance = descend(p, uv);
+    return std::min_element(found.begin(), found.end(), is_nearer)->second;
+  }
+
+private:
+  /// Moves parameters to those of a nearest point, and returns its squared distance.
+  double descend(const gp_Pnt& p, gp_Pnt2d& best) const
+  {
+    constexpr int steps = 12;
+    double least = std::numeric_limits<double>::infinity();
+    gp_XY uv = best.XY(), move;
+    for (int step = 0; step < steps; ++step) {
+      gp_Pnt q;
+      gp_Vec by_u, by_v;
+      m_surface->D1(uv.X(), uv.Y(), q, by_u, by_v);
+      const gp_Vec d(q, p);
+      if (d.SquareMagnitude() < least) {
+        least = d.SquareMagnitude();
+        best = uv;
+        const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, area = a * c - b * b;
+        if (!(area > 1e-12 * a * c))
+          break;
+        move = {(c * (d * by_u) - b * (d * by_v)) / area, (a * (d * by_v) - b * (d * by_u)) / area};
+      } else
+        move /= 2;
+      uv = best.XY() + move;
+      uv = {std::clamp(uv.X(), m_u[0], m_u[1]), std::clamp(uv.Y(), m_v[0], m_v[1])};
+    }
+    return least;
+  }
+
+  Handle(Geom_BSplineSurface) m_surface;
+  double m_u[2], m_v[2];
+  std::vector<std::pair<gp_Pnt2d, gp_Pnt>> m_samples;
+};
+
+} // namespace
+
+Handle(ShapeAnalysis_Surface) projector(const Handle(Geom_Surface) & surface)
+{
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
+  if (spline.IsNull())
+    return new ShapeAnalysis_Surface(surface);
+  return new Spline_projector(spline);
+}
 
 gp_Dir seam_direction(const gp_Dir& axis)
 {
@@ -46,32 +126,10 @@ Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
   }
 }
 
-Handle(Geom_Surface) freeform_surface(const Points& points, double tolerance)
-try {
-  constexpr std::size_t most_points = 250; // the time is as their third power
-  constexpr int degree = 3, most_patches = 8, highest_degree = 8;
-  GeomPlate_BuildPlateSurface plate(degree);
-  const std::size_t step = points.size() / most_points + 1;
-  for (std::size_t i = 0; i < points.size(); i += step)
-    plate.Add(new GeomPlate_PointConstraint(points[i], 0));
-  plate.Perform();
-  if (!plate.IsDone())
-    return nullptr;
-  const GeomPlate_MakeApprox approximation(plate.Surface(), tolerance / 10, most_patches,
-                                           highest_degree, tolerance / 10, -1);
-  const Handle(Geom_Surface) result(approximation.Surface());
-  const Surfaces surfaces{new ShapeAnalysis_Surface(result)};
-  for (const gp_Pnt& p : points)
-    if (distance(surfaces, p) > tolerance)
-      return nullptr;
-  return result;
-} catch (const Standard_Failure&) { // points on a line, or all around a part
-  return nullptr;
-}
-
 Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
 {
-  const gp_Pnt2d uv = surface->ValueOfUV(p, 1e-9);
+  const auto* const spline = dynamic_cast<const Spline_projector*>(surface.get());
+  const gp_Pnt2d uv = spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
   Foot result;
   gp_Vec by_u, by_v;
   surface->Surface()->D1(uv.X(), uv.Y(), result.point, by_u, by_v);

@@ -3,9 +3,7 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_PART_SURFACE_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_PART_SURFACE_H
 
-#include "../../example_mesh.h"
-
-#include <CGAL/Region_segmentation/Part_faces/Fitted_surface.h>
+#include "part_mesh.h"
 
 #include <Geom_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
@@ -16,8 +14,6 @@
 
 namespace mesh_to_step {
 
-namespace RS = CGAL::Region_segmentation;
-using Fitted_surface = RS::Fitted_surface<Kernel>;
 using Points = std::vector<gp_Pnt>;
 /// Surfaces, with what projects points to them.
 using Surfaces = std::vector<Handle(ShapeAnalysis_Surface)>;
@@ -34,9 +30,8 @@ gp_Dir seam_direction(const gp_Dir& axis);
 /// A surface that is not freeform, as OpenCASCADE has it.
 Handle(Geom_Surface) simple_surface(const Fitted_surface& s);
 
-/// A B-spline surface through the points of a freeform face, or null where none is found that is
-/// within the tolerance of all: a plane is bent to them.
-Handle(Geom_Surface) freeform_surface(const Points& points, double tolerance);
+/// A surface with what projects points to it.
+Handle(ShapeAnalysis_Surface) projector(const Handle(Geom_Surface) & surface);
 
 /// The foot of a point on a surface, and the unit normal there, or zero at an apex.
 struct Foot

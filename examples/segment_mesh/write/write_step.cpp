@@ -6,7 +6,7 @@
 #ifdef SEGMENT_MESH_HAS_STEP
 #include "segmentation/Manifold.h"
 
-#include <step_text.h> // of the example mesh_to_step
+#include <step_part.h> // of the example mesh_to_step
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -20,7 +20,7 @@ namespace segment_mesh {
 
 Step_text make_step(const Output& output, const Result& result)
 try {
-  ::Mesh mesh;
+  mesh_to_step::Mesh mesh;
   CGAL::copy_face_graph(make_manifold(result.input.soup).mesh, mesh);
   if (!CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
     throw Output_error(output.file, "no solid: a face has a hole, or crosses itself");

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_CHECK_SOLID_H
+#define CGAL_REGION_SEGMENTATION_EXAMPLES_CHECK_SOLID_H
+
+#include "make_solid.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <cstddef>
+#include <vector>
+
+namespace mesh_to_step {
+
+/// The largest distances between a face of a solid and the triangles that it was made of.
+struct Face_errors
+{
+  double of_vertices = 0; ///< from the vertices to the surface
+  double of_surface = 0;  ///< from points of the face to the triangles
+  double of_sides = 0;    ///< from midpoints of triangles and of their sides to the surface: coarse
+                          ///< triangles are far from what they stand for
+  double of_edges = 0;    ///< from points of the edges of the face to its surface
+};
+
+/// What is measured of a shape that is read from a file.
+struct Certificate
+{
+  bool is_valid = false;  ///< as OpenCASCADE checks it
+  bool is_closed = false; ///< whether it is solids, each edge of which is between two faces
+  std::size_t number_of_solids = 0, number_of_faces = 0;
+  double volume = 0, area = 0;
+  double gap = 0;                 ///< the largest distance between an edge and its faces
+  std::vector<Face_errors> faces; ///< by label, if the shape has all faces that were made
+};
+
+/// Measures a shape.
+Certificate measure(const TopoDS_Shape& shape);
+
+/// Measures a shape, which is `solid` as a file has it, and compares it with the mesh.
+Certificate compare(const TopoDS_Shape& shape, const Solid& solid);
+
+} // namespace mesh_to_step
+
+#endif // CGAL_REGION_SEGMENTATION_EXAMPLES_CHECK_SOLID_H
