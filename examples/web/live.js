@@ -22,7 +22,7 @@ class LivePage extends Page {
     for (const button of document.querySelectorAll("[data-tool=part], [data-tool=border]"))
       button.addEventListener("click", () => this.setTool(button.dataset.tool));
     document.querySelector("footer").insertAdjacentHTML("beforeend",
-      `<button id="save-mesh" title="The mesh in the colors of its segments">Save mesh</button>
+      `<button id="save-mesh" title="The mesh in the colors of its segments">Mesh</button>
        <select id="format" aria-label="Format of meshes and parts">
          <option>.ply</option><option>.glb</option><option>.obj</option><option>.off</option>
        </select>`);
@@ -195,6 +195,10 @@ class LivePage extends Page {
   setTool(tool) {
     super.setTool(tool);
     document.body.classList.toggle("drawing", this.isDrawing);
+    if (this.isDrawing && this.nodes) {
+      element("explosion").value = 0; // strokes are drawn on the mesh as it is
+      this.explode();
+    }
     if (this.strokes) this.liftPen();
     element("cross").classList.toggle("on", this.isDrawing);
   }

@@ -9,6 +9,8 @@ import sys
 import tempfile
 import time
 
+import numpy
+
 from browser import ActionChains, By, Page, browser_for, write_large_mesh
 from helpers import EXAMPLES, partition_of, rows_of, run
 from selenium.webdriver.common.keys import Keys
@@ -169,7 +171,10 @@ def check_selection(page):
     segment, place = list(page.places().items())[-1]
     page.move_to(place).perform()
     tip = page.element("tip").text
-    assert tip.split()[0] == f"segment_{segment}", tip
+    number, name, *_ = tip.split()
+    assert name == f"segment_{segment}", tip
+    row = page.browser.find_elements(By.CSS_SELECTOR, "#list li")[int(number) - 1]
+    assert row.text.split()[:2] == [number, name], (row.text, tip)
     page.click(place)
     description = page.browser.find_element(By.CSS_SELECTOR, "#list li.selected dl").text
     assert "Area" in description and "Neighbors" in description, description
@@ -180,6 +185,53 @@ def check_selection(page):
         page.element("view").send_keys(key, "f")
         time.sleep(0.3)
         assert set(page.places()) == expected, (key, set(page.places()), expected)
+
+
+def count_orange(page):
+    """Points of the picture in the color of the outline of what is selected."""
+    return page.script(
+        """window.page.view.draw(); const gl = window.page.view.renderer.getContext();
+           const {drawingBufferWidth: width, drawingBufferHeight: height} = gl, bytes = new Uint8Array(4 * width * height);
+           gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+           let count = 0;
+           for (let i = 0; i < bytes.length; i += 4) count += bytes[i] > 250 && Math.abs(bytes[i + 1] - 128) < 4 && bytes[i + 2] < 4;
+           return count;""")
+
+
+def check_explosion(page, program):
+    """Segments go apart and stay what they are, also in a file of those that are shown."""
+    def explode(part):
+        page.script("const slider = document.getElementById('explosion'); slider.value = arguments[0];"
+                    "slider.dispatchEvent(new Event('input'))", part)
+
+    def centers():
+        return {segment: numpy.mean(places, axis=0) for segment, places in page.all_places().items()}
+
+    page.script("window.page.select(null)")
+    assert count_orange(page) == 0
+    before = centers()
+    explode(0.7)
+    page.press("#fit")
+    after = centers()
+    common = list(before.keys() & after.keys())
+    spread = [numpy.std([found[segment] for segment in common], axis=0).max() for found in (before, after)]
+    segment, place = list(page.places().items())[-1]
+    page.click(place)
+    node = page.script("return window.page.selected")
+    assert page.script("return window.page.indexOf(arguments[0])", node) == segment
+    assert count_orange(page) > 50
+    page.element("view").send_keys("h")
+    page.press("#save-parts")
+    page.saved(f"a_{page.count()}.glb")
+    run(page.folder, program, f"a_{page.count()}.glb", "--labels-from", "groups", "-q", "-o", "parts.csv")
+    expected = page.script(
+        "const {page} = window; return page.nodes.filter(n => n !== page.selected).map(n => [page.nameOf(n), page.tree.areas[n]])")
+    found = [(row["name"], float(row["area"])) for row in rows_of(page.folder / "parts.csv")]
+    assert [name for name, _ in sorted(found)] == [name for name, _ in sorted(expected)], found
+    numpy.testing.assert_allclose([area for _, area in sorted(found)], [area for _, area in sorted(expected)], rtol=1e-4)
+    explode(0)
+    page.element("view").send_keys("a", "f")
+    assert spread[1] > spread[0], spread
 
 
 def check_view(page, picture):
@@ -216,6 +268,7 @@ def test(program, picture, folder):
         check_slider(page, program)
         check_tree(page)
         check_selection(page)
+        check_explosion(page, program)
         check_keys(page, browser)
         page.check_looks()
         check_view(page, picture)

@@ -232,6 +232,35 @@ TEST(Render_view, faces_that_share_edges_leave_no_gap)
       ASSERT_TRUE(is_shade_of(image.at(x, y), segment_color(0))) << x << " " << y;
 }
 
+/// A plane of squares, of which those of each second row reach one farther to the right.
+TEST(Render_view, a_border_does_not_zigzag_from_edge_to_edge)
+{
+  constexpr std::size_t n = 10;
+  Polygon_soup soup;
+  std::vector<std::size_t> labels;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t j = 0; j <= n; ++j)
+      soup.points.push_back({double(j), double(i), 0});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t a = i * (n + 1) + j, b = a + n + 1;
+      soup.polygons.push_back({a, a + 1, b + 1, b});
+      labels.push_back(j < n / 2 + i % 2 ? 0 : 1);
+    }
+  View_options options = small_view();
+  options.viewpoint = front;
+  const Image image = render_view(soup, labels, {}, options);
+  std::size_t least = image.width, greatest = 0;
+  for (std::size_t y = 30; y < 90; ++y)
+    for (std::size_t x = 40; x < 120; ++x)
+      if (const Color& p = image.at(x, y); p[0] + p[1] + p[2] < 150) {
+        least = (std::min)(least, x);
+        greatest = (std::max)(greatest, x);
+      }
+  const double square = 120 * 0.92 / n;
+  EXPECT_LT(double(greatest - least), 0.8 * square) << "of a border that is " << square << " wide";
+}
+
 TEST(Render_view, a_face_turned_the_wrong_way_looks_the_same)
 {
   const Polygon_soup cube = make_cube();

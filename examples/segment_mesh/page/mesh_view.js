@@ -9,7 +9,7 @@ class MeshView {
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true});
     this.renderer.autoClear = false;
     this.ids = new THREE.WebGLRenderTarget(1, 1, {minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter});
-    this.tables = {colors: {value: null}, segments: {value: null}, tableSize: {value: new THREE.Vector2()}};
+    this.tables = {colors: {value: null}, segments: {value: null}, tableSize: {value: new THREE.Vector2()}, explosion: {value: 0}};
     this.camera = new THREE.PerspectiveCamera(30);
     this.surface = this.makeScene(MeshView.surfaceShader);
     this.regions = this.makeScene(MeshView.regionShader);
@@ -118,6 +118,32 @@ class MeshView {
     this.areIdsStale = this.isStale = true;
   }
 
+  /// Moves each segment by this part of the way from the center of the mesh to its own; the viewer steps back as the picture
+  /// grows.
+  explode(part, segmentOfRegion) {
+    const {explosion} = this.tables;
+    if (part !== explosion.value) this.zoom((1 + part) / (1 + explosion.value));
+    explosion.value = part;
+    this.areIdsStale = this.isStale = true;
+    if (part === 0) return;
+    const {position: {array: positions}, region: {array: regions}, offset} = this.geometry.attributes, sums = [];
+    regions.forEach((region, i) => {
+      const sum = sums[segmentOfRegion[region]] = sums[segmentOfRegion[region]] || [0, 0, 0, 0];
+      for (let j = 0; j < 3; ++j) sum[j] += positions[3 * i + j];
+      ++sum[3];
+    });
+    const center = this.geometry.boundingSphere.center.toArray();
+    this.offsets = sums.map(sum => center.map((x, j) => sum[j] / sum[3] - x));
+    regions.forEach((region, i) => offset.array.set(this.offsets[segmentOfRegion[region]], 3 * i));
+    offset.needsUpdate = true;
+  }
+
+  /// The point of a corner as it is shown.
+  pointAt(i, point) {
+    const {position, offset} = this.geometry.attributes, part = this.tables.explosion.value;
+    return point.set(...[0, 1, 2].map(j => position.array[3 * i + j] + part * offset.array[3 * i + j]));
+  }
+
   /// All that is not hidden, seen from the same side.
   fit() {
     this.toward = this.camera.position.clone().sub(this.controls.target).normalize();
@@ -129,15 +155,15 @@ class MeshView {
   place() {
     const margin = 0.86, slope = margin * Math.tan(this.camera.fov / 2 * Math.PI / 180), aspect = this.camera.aspect;
     const right = new THREE.Vector3().crossVectors(this.camera.up, this.toward);
-    const positions = this.geometry.getAttribute("position"), regions = this.geometry.getAttribute("region").array;
+    const regions = this.geometry.getAttribute("region").array;
     const isSeen = i => !this.isHidden || !this.isHidden[regions[i]];
-    this.center = MeshView.centerOfView(this.geometry, this.toward, this.camera.up, isSeen);
+    this.center = this.centerOfView(isSeen);
     this.controls.target.copy(this.center);
     const p = new THREE.Vector3();
     let distance = 0;
-    for (let i = 0; i < positions.count; ++i) {
+    for (let i = 0; i < regions.length; ++i) {
       if (!isSeen(i)) continue;
-      p.fromBufferAttribute(positions, i).sub(this.center);
+      this.pointAt(i, p).sub(this.center);
       const sideways = Math.max(Math.abs(p.dot(right)) / aspect, Math.abs(p.dot(this.camera.up)));
       distance = Math.max(distance, p.dot(this.toward) + sideways / slope);
     }
@@ -148,12 +174,13 @@ class MeshView {
 
   /// \param colorOfRegion red, green, blue, from 0 to 255
   /// \param isHidden by region
-  show(segmentOfRegion, colorOfRegion, glowOfRegion, isHidden) {
+  /// \param selected segments, which get an outline
+  show(segmentOfRegion, colorOfRegion, glowOfRegion, isHidden, selected) {
     const colors = this.tables.colors.value.image.data, segments = this.tables.segments.value.image.data;
     segmentOfRegion.forEach((segment, region) => {
       colors.set(colorOfRegion(region), 4 * region);
       colors[4 * region + 3] = glowOfRegion(region);
-      segments.set([segment & 255, segment >> 8 & 255, segment >> 16 & 255, isHidden[region] ? 0 : 255], 4 * region);
+      segments.set([segment & 255, segment >> 8 & 255, segment >> 16 & 255, isHidden[region] ? 0 : selected.includes(segment) ? 255 : 192], 4 * region);
     });
     this.areIdsStale = this.areIdsStale || isHidden.some((hides, region) => hides !== this.isHidden[region]);
     this.isHidden = isHidden.slice();
@@ -193,12 +220,12 @@ class MeshView {
   }
 
   /// The center of the box whose sides are parallel to those of the picture.
-  static centerOfView(geometry, toward, up, isSeen) {
-    const axes = [new THREE.Vector3().crossVectors(up, toward), up, toward];
-    const positions = geometry.getAttribute("position"), p = new THREE.Vector3(), box = new THREE.Box3();
-    for (let i = 0; i < positions.count; ++i) {
+  centerOfView(isSeen) {
+    const {toward, camera: {up}} = this, axes = [new THREE.Vector3().crossVectors(up, toward), up, toward];
+    const p = new THREE.Vector3(), box = new THREE.Box3();
+    for (let i = 0; i < this.geometry.getAttribute("region").count; ++i) {
       if (!isSeen(i)) continue;
-      p.fromBufferAttribute(positions, i);
+      this.pointAt(i, p);
       box.expandByPoint(p.set(...axes.map(axis => p.dot(axis))));
     }
     const middle = box.isEmpty() ? p : box.getCenter(p), center = new THREE.Vector3();
@@ -216,6 +243,7 @@ class MeshView {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
+    geometry.setAttribute("offset", new THREE.BufferAttribute(new Float32Array(positions.length), 3));
     geometry.setAttribute("region", new THREE.BufferAttribute(new Float32Array(triangles.corners.length), 1));
     return {geometry, facesOfTriangles: triangles.faces};
   }
@@ -300,7 +328,9 @@ MeshView.tableLookup = `
 MeshView.surfaceShader = {
   vertexShader: `
     attribute float region;
+    attribute vec3 offset;
     uniform sampler2D colors, segments;
+    uniform float explosion;
     varying vec3 shownNormal, shownPosition, color;
     varying float glow;
     ${MeshView.tableLookup}
@@ -309,7 +339,7 @@ MeshView.surfaceShader = {
       vec4 shown = entry(colors, region);
       color = pow(shown.rgb, vec3(2.2));
       glow = shown.a;
-      vec4 position4 = modelViewMatrix * vec4(position, 1.0);
+      vec4 position4 = modelViewMatrix * vec4(position + explosion * offset, 1.0);
       shownNormal = normalMatrix * normal;
       shownPosition = position4.xyz;
       gl_Position = placeOf(projectionMatrix * position4, segments, region);
@@ -337,13 +367,15 @@ MeshView.surfaceShader = {
 MeshView.regionShader = {
   vertexShader: `
     attribute float region;
+    attribute vec3 offset;
     uniform sampler2D segments;
+    uniform float explosion;
     varying float number;
     ${MeshView.tableLookup}
     void main()
     {
       number = region + 1.0;
-      gl_Position = placeOf(projectionMatrix * modelViewMatrix * vec4(position, 1.0), segments, region);
+      gl_Position = placeOf(projectionMatrix * modelViewMatrix * vec4(position + explosion * offset, 1.0), segments, region);
     }`,
   fragmentShader: `
     varying float number;
@@ -354,30 +386,34 @@ MeshView.regionShader = {
     }`
 };
 
-/// Dark where segments meet in the picture, and against the background.
+/// Dark where segments meet in the picture, and against the background; wide and orange round what is selected.
 MeshView.lineShader = {
   vertexShader: "void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }",
   fragmentShader: `
     uniform sampler2D ids, segments;
     uniform vec2 pixel, reach; // of the picture; of a line, to each side
     ${MeshView.tableLookup}
-    vec3 segmentAt(vec2 at)
+    /// The number in three bytes, and whether it is selected.
+    vec4 segmentAt(vec2 at)
     {
       vec3 bytes = floor(texture2D(ids, at).rgb * 255.0 + 0.5);
       float number = bytes.r + 256.0 * bytes.g + 65536.0 * bytes.b;
-      return number < 0.5 ? vec3(2.0) : entry(segments, number - 1.0).rgb;
+      vec4 segment = entry(segments, max(number - 1.0, 0.0));
+      return number < 0.5 ? vec4(2.0, 2.0, 2.0, 0.0) : vec4(segment.rgb, step(0.9, segment.a));
     }
     void main()
     {
       vec2 at = gl_FragCoord.xy * pixel;
-      vec3 here = segmentAt(at);
-      float different = 0.0;
+      vec4 here = segmentAt(at);
+      float different = 0.0, selected = 0.0;
       for (int i = 0; i < 12; ++i) {
         float angle = 6.2831853 * float(i) / 12.0;
         float radius = i - 2 * (i / 2) == 0 ? 1.0 : 0.55;
-        vec3 there = segmentAt(at + radius * reach * vec2(cos(angle), sin(angle)));
-        different += any(greaterThan(abs(there - here), vec3(0.001))) ? 1.0 : 0.0;
+        vec2 way = radius * reach * vec2(cos(angle), sin(angle));
+        different += any(greaterThan(abs(segmentAt(at + way) - here).rgb, vec3(0.001))) ? 1.0 : 0.0;
+        selected += abs(segmentAt(at + 2.6 * way).a - here.a);
       }
-      gl_FragColor = vec4(0.07, 0.09, 0.14, 0.85 * smoothstep(0.0, 0.5, different / 12.0));
+      vec4 line = vec4(0.07, 0.09, 0.14, 0.85 * smoothstep(0.0, 0.5, different / 12.0));
+      gl_FragColor = mix(line, vec4(1.0, 0.5, 0.0, 1.0), smoothstep(0.0, 0.3, selected / 12.0));
     }`
 };

@@ -100,9 +100,12 @@ class Page {
     element("undo").disabled = this.history.length === 0;
     element("redo").disabled = this.future.length === 0;
     this.measure();
+    this.explode();
     this.list();
     this.paint();
   }
+
+  explode() { this.view.explode(Number(element("explosion").value), this.segmentOfRegion); }
 
   /// Sums over the regions of each segment.
   measure() {
@@ -218,7 +221,8 @@ class Page {
   paint() {
     const glows = this.nodes.map(node => node === this.hovered ? 120 : node === this.firstToJoin ? 160 : node === this.selected ? 60 : 0);
     const colors = this.nodes.map(node => this.colorOf(node));
-    this.view.show(this.segmentOfRegion, r => colors[this.segmentOfRegion[r]], r => glows[this.segmentOfRegion[r]], this.isHidden);
+    this.view.show(this.segmentOfRegion, r => colors[this.segmentOfRegion[r]], r => glows[this.segmentOfRegion[r]], this.isHidden,
+                   [this.selected, this.firstToJoin].map(node => this.indexOf(node)));
     for (const item of element("list").children) {
       item.classList.toggle("hovered", Number(item.dataset.node) === this.hovered);
       item.classList.toggle("selected", Number(item.dataset.node) === this.selected);
@@ -231,6 +235,7 @@ class Page {
     const longest = 200;
     const bySize = this.nodes.slice().sort((a, b) => this.tree.areas[b] - this.tree.areas[a]);
     const largest = this.tree.areas[bySize[0]] || 1;
+    this.places = new Map(bySize.filter(node => node !== this.content.none).map((node, i) => [node, i + 1]));
     const items = bySize.slice(0, longest).map(node => this.item(node, largest));
     if (bySize.length > longest) {
       const more = document.createElement("li");
@@ -270,11 +275,12 @@ class Page {
     item.tabIndex = 0;
     const row = document.createElement("div");
     row.className = "row";
-    row.innerHTML = '<span class="swatch"></span><b></b><span class="shape"></span><span class="share"></span>';
+    row.innerHTML = '<span class="swatch"></span><span class="place"></span><b></b><span class="shape"></span><span class="share"></span>';
     row.children[0].style.background = this.cssColor(node);
-    row.children[1].textContent = this.nameOf(node);
-    row.children[2].textContent = shape && this.fits(shape, node) ? shape.primitive.type : "";
-    row.children[3].textContent = percent(this.shareOf(node));
+    row.children[1].textContent = this.places.get(node) || "";
+    row.children[2].textContent = this.nameOf(node);
+    row.children[3].textContent = shape && this.fits(shape, node) ? shape.primitive.type : "";
+    row.children[4].textContent = percent(this.shareOf(node));
     const bar = document.createElement("div");
     bar.className = "bar";
     bar.innerHTML = "<i></i>";
@@ -346,8 +352,9 @@ class Page {
   }
 
   helpOf(tool) {
+    const touched = "One finger turns · two zoom and move · touch a segment to select it";
     return {
-      select: "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · F: the whole mesh · click a segment: H hides it, I isolates it",
+      select: matchMedia("(pointer: coarse)").matches ? touched : "Drag or arrow keys to turn · scroll or + − to zoom · right drag to move · F: the whole mesh · click a segment: H hides it, I isolates it",
       split: "Click a segment to split it in two",
       join: "Click a segment, then the one to join it with"
     }[tool];
@@ -397,11 +404,12 @@ class Page {
     const tip = element("tip");
     tip.hidden = node === null;
     if (node === null) return;
-    tip.innerHTML = '<span class="swatch"></span><span></span><small></small>';
+    tip.innerHTML = '<span class="swatch"></span><small></small><span></span><small></small>';
     tip.children[0].style.background = this.cssColor(node);
-    tip.children[1].textContent = this.nameOf(node);
+    tip.children[1].textContent = this.places.get(node) || "";
+    tip.children[2].textContent = this.nameOf(node);
     const shape = this.shapes.get(node);
-    tip.children[2].textContent = percent(this.shareOf(node)) + (shape && this.fits(shape, node) ? " · " + shape.primitive.type : "");
+    tip.children[3].textContent = percent(this.shareOf(node)) + (shape && this.fits(shape, node) ? " · " + shape.primitive.type : "");
     const width = element("view").clientWidth;
     tip.style.left = Math.min(event.clientX + 16, width - tip.offsetWidth - 8) + "px";
     tip.style.top = Math.max(event.clientY - 38, 8) + "px";
@@ -427,13 +435,40 @@ class Page {
     return Array.from(this.arrays.regions, region => label(this.segmentOfRegion[region])).join("\n") + "\n";
   }
 
+  /// A node of glTF for each segment that is shown, at its place in the picture, below one with the place of the mesh.
+  saveParts() {
+    const {content: {center, radius}} = this, mesh = new THREE.Group();
+    mesh.position.fromArray(center);
+    mesh.scale.setScalar(radius);
+    const {position, normal} = this.view.geometry.attributes, corners = new Map();
+    this.view.geometry.getAttribute("region").array.forEach((region, i) => {
+      const segment = this.segmentOfRegion[region];
+      if (this.isHidden[region]) return;
+      if (!corners.has(segment)) corners.set(segment, []);
+      corners.get(segment).push(i);
+    });
+    for (const [segment, chosen] of corners) {
+      const geometry = new THREE.BufferGeometry(), node = this.nodes[segment];
+      for (const [name, {array}] of Object.entries({position, normal}))
+        geometry.setAttribute(name, new THREE.Float32BufferAttribute(chosen.flatMap(i => Array.from(array.subarray(3 * i, 3 * i + 3))), 3));
+      const color = new THREE.Color(this.cssColor(node)).convertSRGBToLinear();
+      const part = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({color, metalness: 0, roughness: 0.8, side: THREE.DoubleSide}));
+      part.name = this.nameOf(node);
+      if (this.view.offsets) part.position.fromArray(this.view.offsets[segment]).multiplyScalar(this.view.tables.explosion.value);
+      mesh.add(part);
+    }
+    new THREE.GLTFExporter().parse(mesh, bytes => this.save(new Blob([bytes]), ".glb"), {binary: true});
+  }
+
   listen() {
     this.listenToCanvas();
     element("slider").addEventListener("input", () => this.setNumber(Number(element("slider").value)));
     element("count").addEventListener("change", () => this.setNumber(parseFloat(element("count").value)));
+    element("explosion").addEventListener("input", () => this.explode());
     element("coloring").addEventListener("change", () => { this.list(); this.paint(); });
     element("undo").addEventListener("click", () => this.undo());
     element("redo").addEventListener("click", () => this.redo());
+    element("fit").addEventListener("click", () => this.view.fit());
     element("show-all").addEventListener("click", () => this.showAll());
     for (const button of document.querySelectorAll("[data-tool]"))
       button.addEventListener("click", () => this.setTool(button.dataset.tool));
@@ -456,6 +491,7 @@ class Page {
       event.preventDefault(); // scrolling by the space bar
     });
     element("save-labels").addEventListener("click", () => this.save(new Blob([this.labels()], {type: "text/plain"}), ".seg"));
+    element("save-parts").addEventListener("click", () => this.saveParts());
     element("save-picture").addEventListener("click", () => this.view.picture(blob => this.save(blob, ".png")));
     document.addEventListener("keydown", event => this.key(event));
   }

@@ -72,10 +72,8 @@ void append_differences(const Values& values, Array_file& file)
     file.append(std::int32_t(std::uint32_t(value) - std::exchange(last, std::uint32_t(value))));
 }
 
-/// Centered, and scaled so that the largest side of the box has length 2.
-void append_points(const Polygon_soup& soup, Array_file& file)
+void append_points(const Scene& scene, Array_file& file)
 {
-  const Scene scene = make_scene(soup, std::vector<std::size_t>(soup.polygons.size()));
   for (const Point& p : scene.soup.points)
     for (double x : p)
       file.append(float(x));
@@ -144,19 +142,20 @@ std::vector<std::string> names_by_first_faces(const Page_content& content)
   return result;
 }
 
-ordered_json content_json(const Page_content& content, const Array_file& file)
+ordered_json content_json(const Page_content& content, const Scene& scene, const Array_file& file)
 {
   const Segmentation& segmentation = content.segmentation;
   const std::size_t greatest = (std::min)(
     segmentation.number_of_regions, (std::max)(least_range, 2 * segmentation.number_of_segments));
-  const Viewpoint viewpoint = choose_viewpoint(content.soup, segmentation.segment_of_face,
-                                               content.up);
+  const Viewpoint viewpoint = choose_viewpoint(scene, content.up);
   return {{"name", content.name},
           {"segments", segmentation.number_of_segments},
           {"names", names_by_first_faces(content)},
           {"regions", segmentation.number_of_regions},
           {"greatest", greatest},
           {"none", none_region(segmentation)},
+          {"center", scene.center},
+          {"radius", scene.radius},
           {"view", {{"toward", viewpoint.toward_viewer}, {"up", viewpoint.up}}},
           {"colors", colors_json()},
           {"arrays", file.index()}};
@@ -167,10 +166,11 @@ ordered_json content_json(const Page_content& content, const Array_file& file)
 Page_data page_data(const Page_content& content)
 {
   Array_file file;
-  append_points(content.soup, file);
+  const Scene scene = make_scene(content.soup, content.segmentation.segment_of_face);
+  append_points(scene, file);
   append_faces(content, file);
   append_graph(content, file);
-  return {content_json(content, file), file.bytes()};
+  return {content_json(content, scene, file), file.bytes()};
 }
 
 ordered_json shape_json(std::size_t node, const Segment_description& shape)

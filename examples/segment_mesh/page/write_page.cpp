@@ -29,6 +29,7 @@ extern const char* const read_arrays_js;
 extern const char* const show_saved_js;
 extern const char* const three_min_js;
 extern const char* const TrackballControls_js;
+extern const char* const GLTFExporter_js;
 } // namespace embedded
 /// @}
 
@@ -81,6 +82,7 @@ void write_page(std::ostream& out, const Page_content& content)
                                                     {"ARRAYS", arrays},
                                                     {"THREE", embedded::three_min_js},
                                                     {"CONTROLS", embedded::TrackballControls_js},
+                                                    {"EXPORTER", embedded::GLTFExporter_js},
                                                     {"READ_ARRAYS", embedded::read_arrays_js},
                                                     {"MERGE_TREE", embedded::merge_tree_js},
                                                     {"MESH_VIEW", embedded::mesh_view_js},

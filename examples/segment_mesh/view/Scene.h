@@ -16,11 +16,17 @@ struct Scene
 {
   Polygon_soup soup;               ///< points without a face are at the origin
   std::vector<std::size_t> labels; ///< of each face
+  Point center = {0, 0, 0};        ///< in the soup
+  double radius = 0;               ///< in the soup
 };
 
 /// Faces with fewer than three corners, or with a point that is not finite, are left out.
 /// \pre there are a label for each face and a point for each corner
 Scene make_scene(const Polygon_soup& soup, const std::vector<std::size_t>& labels);
+
+/// Moves points between two borders, where the surface is smooth, along the surface, so that
+/// borders do not zigzag from edge to edge.
+void smooth_borders(Scene& scene);
 
 } // namespace segment_mesh
 

@@ -74,10 +74,4 @@ Viewpoint choose_viewpoint(const Scene& scene, const Up_direction& up)
   return candidates[std::size_t(std::max_element(worths.begin(), worths.end()) - worths.begin())];
 }
 
-Viewpoint choose_viewpoint(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
-                           const Up_direction& up)
-{
-  return choose_viewpoint(make_scene(soup, labels), up);
-}
-
 } // namespace segment_mesh

@@ -28,8 +28,6 @@ struct Up_direction
 /// segments of the root of the visible area, so that many segments count more than a large one. The
 /// same for the same input.
 Viewpoint choose_viewpoint(const Scene& scene, const Up_direction& up = {});
-Viewpoint choose_viewpoint(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
-                           const Up_direction& up = {});
 
 /// The viewer stands at `azimuth` around the axis that is up, in degrees from the axis that follows
 /// it, in the cyclic order x, y, z, toward the other one, and at `elevation` above. Where y is up,

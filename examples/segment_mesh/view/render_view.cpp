@@ -167,7 +167,8 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
                   const std::vector<Vertex_pair>& feature_edges, const View_options& options)
 {
   constexpr double margin = 0.04;
-  const Scene scene = make_scene(soup, labels);
+  Scene scene = make_scene(soup, labels);
+  smooth_borders(scene);
   const Viewpoint viewpoint = options.viewpoint ? *options.viewpoint
                                                 : choose_viewpoint(scene, options.up);
   const std::size_t samples = (std::max<std::size_t>)(options.samples, 1);
