@@ -18,6 +18,8 @@
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -36,10 +38,9 @@ namespace internal {
 inline std::int64_t squared_intersections(const Partition& a, const Partition& b,
                                           const std::vector<std::int64_t>& weights)
 {
-  std::vector<std::uint64_t> pairs;
-  for (std::size_t e = 0; e < a.size(); ++e)
-    pairs.push_back(std::uint64_t(a[e]) * b.number_of_parts() + b[e]);
-  const Partition intersections = Partition::from_labels(pairs);
+  const Partition intersections = Partition::from_labels(
+    boost::irange(std::size_t(0), a.size()), a.size(),
+    [&](std::size_t e) { return std::uint64_t(a[e]) * b.number_of_parts() + b[e]; });
   std::vector<std::int64_t> sums(intersections.number_of_parts());
   for (std::size_t e = 0; e < a.size(); ++e)
     sums[intersections[e]] += weights[e];
@@ -238,10 +239,9 @@ private:
                         {composed(fine.of_elements(), draws[i]), Seeds()}, step);
       numbers[i] = chooser(trees[i], surface);
       const Partition segments = trees[i].partition_at_count(numbers[i]);
-      std::vector<Partition::Index> labels;
-      for (std::size_t c = 0; c < coarse.size(); ++c)
-        labels.push_back(segments[draws[i][coarse[c].center]]);
-      segmentations[i] = Partition::from_labels(labels);
+      segmentations[i] = Partition::from_labels(
+        boost::irange(std::size_t(0), coarse.size()), coarse.size(),
+        [&](std::size_t c) { return segments[draws[i][coarse[c].center]]; });
     });
     std::vector<std::int64_t> areas; // in 2^-26 of the surface
     for (std::size_t c = 0; c < coarse.size(); ++c)

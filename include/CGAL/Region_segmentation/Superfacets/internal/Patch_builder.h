@@ -54,9 +54,6 @@ inline Partition join_every_second_level(const Large_array<Partition::Index>& pa
 
 /// Makes the patches of a surface, the fine ones and the coarse ones, see
 /// `Surface_patches`.
-///
-/// In parallel, sums over elements are made by one thread for each patch, in the order of the
-/// elements: so they are the same.
 class Patch_builder
 {
   using Index = Surface::Index;
@@ -70,7 +67,6 @@ public:
   {
     Patch_builder joining(surface, execution);
     joining.replace_faces(joining.join_faces());
-    joining.report();
     joining.join_patches(Surface_patches::maximum_area);
     Patches fine = joining.finish_fine();
     std::size_t number = 0;
@@ -110,22 +106,23 @@ private:
 
   Patch_builder(const Surface& surface, const Execution& execution)
     : m_surface(surface)
-    , m_progress(execution)
-    , m_execution(execution.silent())
+    , m_execution(execution)
   {}
-
-  /// A round takes a time proportional to the number of patches before it.
-  void report() const
-  {
-    const double faces = double((std::max)(m_surface.number_of_faces(), std::size_t(1)));
-    m_progress.report(1 - double(m_patches.size()) / faces);
-  }
 
   /// Makes the coarse patches of the fine ones.
   Surface_patches with_coarse(Patches fine)
   {
+    m_neighbors.clear();
+    for (const Adjacency& a : fine.adjacencies())
+      m_neighbors.push_back({a.lower, a.higher});
     join_patches(Surface_patches::maximum_coarse_area);
     Patches coarse = finish();
+    for (const Adjacency& a : fine.adjacencies())
+      if (const auto [p, q] = std::minmax(
+            {coarse.m_of_elements[a.lower], coarse.m_of_elements[a.higher]});
+          p != q)
+        coarse.m_adjacencies.push_back({p, q, a.length});
+    unite(coarse.m_adjacencies);
     set_centers(
       coarse, [&](std::size_t p) { return fine[p].centroid; },
       [&](std::size_t p) { return squared_norm(fine[p].normal) == 0; });
@@ -140,34 +137,27 @@ private:
   /// Joins faces to the first patches. Each adjacency is visited once, in order.
   Partition join_faces() const
   {
-    struct First_face
-    {
-      Double_3 centroid, normal;
-      double area; // of the patch so far
-    };
-    using Limits = Surface_patches;
-    const double largest = Limits::maximum_area * m_surface.area(),
-                 radius = Limits::maximum_radius * m_surface.length_unit();
-    Large_array<First_face> firsts; // by patch
+    const double largest = Surface_patches::maximum_area * m_surface.area(),
+                 radius = Surface_patches::maximum_radius * m_surface.length_unit();
+    std::vector<std::pair<Index, double>> firsts; // by patch: its first face, and its area so far
     Partition::Numbers patch_of(m_surface.number_of_faces());
-    std::size_t a = 0;
-    for (Index f = 0; f < patch_of.size(); ++f) {
+    for (Index f = 0, a = 0; f < patch_of.size(); ++f) {
       const Element e = face(f);
       double least = radius * radius;
       Index nearest = Index(firsts.size());
       for (; a < m_surface.number_of_adjacencies() && m_surface.higher_face(a) == f; ++a) {
         const Index p = patch_of[m_surface.lower_face(a)];
-        const double distance = squared_norm(e.centroid - firsts[p].centroid);
-        if (distance < least && !m_surface.has_flag(a, Surface::barrier) &&
-            firsts[p].area + e.area <= largest &&
-            norm(e.normal - firsts[p].normal) <= Limits::maximum_deviation) {
-          nearest = p;
-          least = distance;
-        }
+        const auto& [first, area] = firsts[p];
+        if (m_surface.has_flag(a, Surface::barrier) || !(area + e.area <= largest) ||
+            !(norm(e.normal - m_surface.normal(first)) <= Surface_patches::maximum_deviation))
+          continue;
+        const double distance = squared_norm(e.centroid - m_surface.centroid(first));
+        nearest = distance < least ? p : nearest;
+        least = (std::min)(least, distance);
       }
       if (nearest == firsts.size())
-        firsts.push_back({e.centroid, e.normal, 0});
-      firsts[nearest].area += e.area;
+        firsts.push_back({f, 0});
+      firsts[nearest].second += e.area;
       patch_of[f] = nearest;
     }
     return Partition(std::move(patch_of), firsts.size());
@@ -177,19 +167,21 @@ private:
   {
     for (bool is_worth_another = true; is_worth_another;) {
       Partition joined = join_every_second_level(select(maximum_area));
-      is_worth_another = has_joined_enough(joined);
-      if (joined.number_of_parts() == joined.size())
+      const std::size_t fewer = joined.size() - joined.number_of_parts();
+      if (fewer == 0)
         return;
+      is_worth_another = fewer >= joined.size() / 32;
       m_patches = sums(joined, [&](std::size_t p) { return m_patches[p]; });
       std::size_t n = 0;
-      for (const Adjacency& a : m_adjacencies) {
-        const Index p = joined[a.lower], q = joined[a.higher];
-        m_adjacencies[n] = {(std::min)(p, q), (std::max)(p, q), a.length};
+      for (const auto& [i, j] : m_neighbors) {
+        const Index p = joined[i], q = joined[j];
+        m_neighbors[n] = {p, q};
         n += p != q;
       }
-      m_adjacencies.resize(n);
+      m_neighbors.resize(n);
       m_rounds.push_back(std::move(joined));
-      report();
+      // A round takes a time proportional to the number of patches before it.
+      m_execution.report(1 - double(m_patches.size()) / double(m_surface.number_of_faces()));
     }
   }
 
@@ -200,25 +192,11 @@ private:
     for (Index a = 0; a < m_surface.number_of_adjacencies(); ++a)
       if (joined[m_surface.lower_face(a)] != joined[m_surface.higher_face(a)])
         m_borders.push_back(a);
-    m_adjacencies.reserve(m_borders.size());
+    m_neighbors.reserve(m_borders.size());
     for (const Index a : m_borders)
       if (!m_surface.has_flag(a, Surface::barrier))
-        m_adjacencies.push_back(between(joined, a));
+        m_neighbors.push_back({joined[m_surface.lower_face(a)], joined[m_surface.higher_face(a)]});
     m_rounds.push_back(std::move(joined));
-  }
-
-  /// The adjacency of two patches of the faces across one of the surface.
-  Adjacency between(const Partition& patch_of, Index a) const
-  {
-    const auto [p, q] = std::minmax(
-      {patch_of[m_surface.lower_face(a)], patch_of[m_surface.higher_face(a)]});
-    return {p, q, m_surface.length(a)};
-  }
-
-  static bool has_joined_enough(const Partition& joined)
-  {
-    const std::size_t fewer = joined.size() - joined.number_of_parts();
-    return fewer > 0 && fewer >= joined.size() / 32;
   }
 
   /// Returns for each patch the one that it selects, or itself. `maximum_area`: the bound of the
@@ -234,7 +212,7 @@ private:
       const Float_key lowest = selected[i];
       selected[i] = key < lowest ? key : lowest;
     };
-    for (const auto& [i, j, length] : m_adjacencies) {
+    for (const auto& [i, j] : m_neighbors) {
       const Element &a = m_patches[i], &b = m_patches[j];
       if (!(a.area + b.area <= largest))
         continue;
@@ -292,14 +270,17 @@ private:
       result, [&](std::size_t f) { return m_surface.centroid(f); },
       [&](std::size_t f) { return m_surface.is_degenerate(f); });
     for (const Index a : m_borders) {
-      const Adjacency adjacency = between(result.m_of_elements, a);
-      if (adjacency.lower == adjacency.higher)
-        continue;
-      result.m_borders.push_back(a);
-      if (m_surface.has_flag(a, Surface::SEAM | Surface::LINK) &&
-          !m_surface.has_flag(a, Surface::CONSTRAINED))
-        result.m_contacts.push_back(adjacency);
+      const auto [p, q] = std::minmax({result.m_of_elements[m_surface.lower_face(a)],
+                                       result.m_of_elements[m_surface.higher_face(a)]});
+      auto& adjacencies = m_surface.has_flag(a, Surface::SEAM | Surface::LINK)
+                            ? result.m_contacts
+                            : result.m_adjacencies;
+      if (p != q)
+        result.m_borders.push_back(a);
+      if (p != q && !m_surface.has_flag(a, Surface::CONSTRAINED))
+        adjacencies.push_back({p, q, m_surface.length(a)});
     }
+    unite(result.m_adjacencies);
     unite(result.m_contacts);
     return result;
   }
@@ -313,8 +294,6 @@ private:
     result.m_of_elements = Partition::into_single_elements(m_patches.size());
     for (; !m_rounds.empty(); m_rounds.pop_back())
       result.m_of_elements = composed(m_rounds.back(), result.m_of_elements);
-    unite(m_adjacencies);
-    result.m_adjacencies = m_adjacencies;
     for (const Element& e : m_patches)
       result.m_patches.push_back({e.centroid, e.normal, e.area, 0});
     return result;
@@ -328,11 +307,11 @@ private:
       for (const Adjacency& a : adjacencies)
         add(a.higher, a);
     });
+    adjacencies = Large_array<Adjacency>(); // The next step needs the memory.
     const Grouped_items<Adjacency> by_lower(m_patches.size(), [&](const auto& add) {
       for (const Adjacency& a : by_higher.all())
         add(a.lower, a);
     });
-    adjacencies.clear();
     for (const Adjacency& a : by_lower.all())
       if (!adjacencies.empty() && adjacencies.back().lower == a.lower &&
           adjacencies.back().higher == a.higher)
@@ -349,23 +328,24 @@ private:
     constexpr double infinity = std::numeric_limits<double>::infinity(),
                      last_choice = (std::numeric_limits<double>::max)();
     std::vector<double> distances(patches.size(), infinity); // of the centers, squared
-    for_each_in_part(m_execution, patches.m_of_elements, [&](std::size_t p, std::size_t i) {
+    for (std::size_t i = 0; i < patches.m_of_elements.size(); ++i) {
+      const Index p = patches.m_of_elements[i];
       const double distance = is_degenerate(i) ? last_choice
                                                : squared_norm(centroid_of(i) - patches[p].centroid);
       if (distance < distances[p]) {
         distances[p] = distance;
         patches.m_patches[p].center = Index(i);
       }
-    });
+    }
   }
 
   const Surface& m_surface;
-  const Execution m_progress, m_execution; // the latter is silent
+  const Execution m_execution;
   std::vector<Partition> m_rounds; // of the faces or the fine patches, then of the patches of the
                                    // round before
   Large_array<Element> m_patches;
-  Large_array<Index> m_borders;         // adjacencies of the surface between the first patches
-  Large_array<Adjacency> m_adjacencies; // of the patches; until the end several of the same two
+  Large_array<Index> m_borders; // adjacencies of the surface between the first patches
+  Large_array<std::pair<Index, Index>> m_neighbors; // patches, several times the same two
 };
 
 } // namespace internal

@@ -101,21 +101,19 @@ inline void smooth_points(const std::vector<Vertex_height>& heights, Large_array
 inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
-  Large_array<Double_3> points; // of the vertices, from the second round on
+  Large_array<Double_3> points; // of the vertices, if some were moved
   for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<Vertex_height> heights = vertex_heights(surface, round == 0 ? surface.points()
-                                                                                  : points);
-    const double share_of_noise = round == 0 ? 0.42 : 0.2; // of the sides between vertices with
-                                                           // heights
-    const bool is_noisy = are_opposite(surface, heights, share_of_noise);
-    if (round == 0 && !is_noisy)
-      return std::nullopt;
-    if (!is_noisy)
+    const std::vector<Vertex_height> heights = vertex_heights(
+      surface, points.empty() ? surface.points() : points);
+    // The bound is a share of the sides between vertices with heights.
+    if (!are_opposite(surface, heights, points.empty() ? 0.42 : 0.2))
       break;
-    if (round == 0)
+    if (points.empty())
       points = surface.points();
     smooth_points(heights, points);
   }
+  if (points.empty())
+    return std::nullopt;
   Surface_builder builder(surface);
   builder.set_points(std::move(points), execution);
   return builder.finish();

@@ -5,7 +5,6 @@
 
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
-#include <CGAL/Region_segmentation/Support/internal/arrays.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
 
 #include <algorithm>
@@ -134,28 +133,6 @@ inline std::vector<double> part_areas(const Surface& surface, const Partition& p
   for (std::size_t f = 0; f < parts.size(); ++f)
     areas[parts[f]] += surface.area(f);
   return areas;
-}
-
-/// Calls `f(part, element)` for all elements of a partition, those of a part in order, so that sums
-/// are the same in parallel. In parallel, elements are first sorted by their parts: if each thread
-/// went through all elements, four threads would do three times the work of one.
-template <typename F>
-void for_each_in_part(const Execution& execution, const Partition& parts, const F& f)
-{
-  if (!execution.is_parallel()) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      f(parts[i], i);
-    return;
-  }
-  using Index = Partition::Index;
-  const Grouped_items<Index> elements(parts.number_of_parts(), [&](const auto& add) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      add(parts[i], Index(i));
-  });
-  for_each_index(execution, parts.number_of_parts(), [&](std::size_t part) {
-    for (const Index i : elements[part])
-      f(part, i);
-  });
 }
 
 /// Dijkstra's algorithm from several sources, for a graph that is given by the steps from each
