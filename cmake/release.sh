@@ -15,8 +15,8 @@ mkdir -p "$work"
 version=$(sed -n 's/.*SEGMENTATION_VERSION "\(.*\)"/\1/p' "$root/include/CGAL/Region_segmentation/Support/version.h")
 machine=$(uname -m)
 
-of_program="binutils cmake g++ libboost-iostreams-dev libcgal-dev libcli11-dev libeigen3-dev libjs-three libminizip-dev
-  libpng-dev make nlohmann-json3-dev zlib1g-dev"
+of_program="binutils cmake g++ libboost-iostreams-dev libcgal-dev libcli11-dev libeigen3-dev libexpat1-dev libjs-three
+  libminizip-dev libpng-dev make nlohmann-json3-dev zlib1g-dev"
 install_packages() { sh "$root/cmake/install_packages.sh" "$@"; }
 
 make_source() {
