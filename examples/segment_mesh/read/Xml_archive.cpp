@@ -129,8 +129,7 @@ bool Xml_archive::has(const std::string& entry) const
   return unzLocateFile(m_zip.get(), entry.c_str(), in_any_case) == UNZ_OK;
 }
 
-void Xml_archive::read(const std::string& entry,
-                       const std::function<void(const Xml_element&)>& take)
+std::string Xml_archive::inflated(const std::string& entry)
 {
   const std::string place = m_file + ": " + entry;
   if (!has(entry))
@@ -138,20 +137,36 @@ void Xml_archive::read(const std::string& entry,
   if (unzOpenCurrentFile(m_zip.get()) != UNZ_OK)
     throw Input_error(place, "cannot be read: it is damaged, encrypted, or compressed otherwise "
                              "than by Deflate");
-  Xml_parser parser(take);
-  std::string buffer(std::size_t(1) << 16, '\0');
+  constexpr std::size_t step = std::size_t(1) << 20;
+  std::string text;
   for (int size = 1; size > 0;) {
-    size = unzReadCurrentFile(m_zip.get(), buffer.data(), unsigned(buffer.size()));
-    if (size < 0 || (size == 0 && unzCloseCurrentFile(m_zip.get()) != UNZ_OK)) // a wrong checksum
+    const std::size_t before = text.size();
+    text.resize(before + step);
+    size = unzReadCurrentFile(m_zip.get(), &text[before], unsigned(step));
+    if (size < 0)
       throw Input_error(place, "is damaged");
+    text.resize(before + std::size_t(size));
     if ((m_number_of_bytes += std::size_t(size)) > m_most_bytes)
       throw Input_error(m_file, "is a ZIP archive that grows by more than " +
                                   std::to_string(largest_inflation) + " times");
-    try {
-      parser.parse(buffer.data(), std::size_t(size), size == 0);
-    } catch (const Value_error& error) {
-      throw Input_error(place, parser.line(), error.what());
-    }
+  }
+  if (unzCloseCurrentFile(m_zip.get()) != UNZ_OK) // the checksum
+    throw Input_error(place, "is damaged");
+  return text;
+}
+
+void Xml_archive::read(const std::string& entry,
+                       const std::function<void(const Xml_element&)>& take)
+{
+  const std::string text = inflated(entry);
+  constexpr std::size_t step = std::size_t(1) << 16; // expat takes the size as an int
+  Xml_parser parser(take);
+  try {
+    for (std::size_t i = 0; i < text.size(); i += step)
+      parser.parse(&text[i], (std::min)(step, text.size() - i), false);
+    parser.parse("", 0, true);
+  } catch (const Value_error& error) {
+    throw Input_error(m_file + ": " + entry, parser.line(), error.what());
   }
 }
 

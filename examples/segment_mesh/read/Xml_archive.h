@@ -67,6 +67,9 @@ private:
     void operator()(void* archive) const;
   };
 
+  /// The file of this name, whole, since minizip has one file open at a time.
+  std::string inflated(const std::string& entry);
+
   std::string m_file;
   std::unique_ptr<void, Close> m_zip;              // of minizip
   std::size_t m_most_bytes, m_number_of_bytes = 0; // of what is read

@@ -119,9 +119,9 @@ void write_model(std::ostream& out, const std::vector<Segment_triangles>& segmen
 }
 
 /// The code of PrusaSlicer, which Bambu Studio and OrcaSlicer read as `paint_color`, for a triangle
-/// that is not divided: the bits 00, then two bits with the number of the extruder, from 1, or, from
-/// 3 on, 11 and four bits with the number less 3. The hexadecimal digits of four bits each come from
-/// the last to the first.
+/// that is not divided: the bits 00, then two bits with the number of the extruder, from 1, or,
+/// from 3 on, 11 and four bits with the number less 3. The hexadecimal digits of four bits each
+/// come from the last to the first.
 std::string paint_of_extruder(std::size_t extruder)
 {
   constexpr const char* digits = "0123456789ABCDEF";
