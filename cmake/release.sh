@@ -3,14 +3,14 @@
 # prints their sizes. The parts, all by default: source, program (one static file), wheel (with the source distribution),
 # npm, debian, page (the program in a browser), manual (HTML).
 #
-# Installs what is missing (by apt). What is built on the way is kept in FOLDER/work.
+# Installs what is missing (by apt). What is built on the way is kept in FOLDER/build.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "${1:-$root/build-packages}"
 out=$(cd "${1:-$root/build-packages}" && pwd)
 [ $# -eq 0 ] || shift
 parts=${*:-source program wheel npm debian page manual}
-work=$out/work
+work=$out/build
 mkdir -p "$work"
 version=$(sed -n 's/.*SEGMENTATION_VERSION "\(.*\)"/\1/p' "$root/include/CGAL/Region_segmentation/Support/version.h")
 machine=$(uname -m)

@@ -1,19 +1,19 @@
 #!/bin/sh
 # bare_chroot.sh FOLDER [BASE]: what `cmake/release.sh FOLDER program wheel debian` made runs in a base system without compiler
 # and CGAL: the program, the package of the program, and the wheel, from install to labels in less than 10 s each. BASE: an
-# unpacked Debian with python3-numpy; by default debootstrap makes it in FOLDER/work.
+# unpacked Debian with python3-numpy; by default debootstrap makes it in FOLDER/build.
 #
 # Exit status 77: a chroot is not possible here.
 set -eu
 out=$(cd "$1" && pwd)
-base=${2:-$out/work/base}
+base=${2:-$out/build/base}
 data=$(cd "$(dirname "$0")/../../examples/data" && pwd)
 if [ "$(id -u)" != 0 ] || { [ ! -d "$base" ] && ! command -v debootstrap >/dev/null; }; then
   echo "skipped: this needs root, and debootstrap (Debian: debootstrap) or a base system"
   exit 77
 fi
 if [ ! -d "$base" ]; then
-  debootstrap --variant=minbase --include=python3-numpy bookworm "$base.part" >"$out/work/debootstrap.log"
+  debootstrap --variant=minbase --include=python3-numpy bookworm "$base.part" >"$out/build/debootstrap.log"
   mv "$base.part" "$base"
 fi
 if ! chroot "$base" true; then
@@ -47,8 +47,8 @@ mesh = ([[float(x) for x in l] for l in lines[2 : 2 + points]], [[int(i) for i i
 labels = region_segmentation.segment(mesh)
 assert len(region_segmentation.describe_segments(mesh, labels)) == labels.max() + 1
 open(\"two.seg\", \"w\").writelines(f\"{x}\\n\" for x in labels)"'
-chroot "$base" sh -c 'dpkg --unpack /take_home/segment-mesh_*.deb && apt-get -y -f install && segment_mesh --version' >"$out/work/apt.log" 2>&1 ||
-  { cat "$out/work/apt.log" >&2; exit 1; }
+chroot "$base" sh -c 'dpkg --unpack /take_home/segment-mesh_*.deb && apt-get -y -f install && segment_mesh --version' >"$out/build/apt.log" 2>&1 ||
+  { cat "$out/build/apt.log" >&2; exit 1; }
 in_base package 'segment_mesh figure.off -q -o three.seg'
 cd "$base/take_home"
 cmp one.seg two.seg
