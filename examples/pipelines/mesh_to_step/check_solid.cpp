@@ -49,9 +49,8 @@ bool has_closed_shells(const TopoDS_Shape& shape)
 }
 
 /// The largest distance from points of the edges of a face to its surface.
-double distance_of_edges(const TopoDS_Face& face)
+double distance_of_edges(const TopoDS_Face& face, const Surfaces& surface)
 {
-  const Surfaces surface{projector(BRep_Tool::Surface(face))};
   double result = 0;
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
     Curve_piece piece;
@@ -59,28 +58,28 @@ double distance_of_edges(const TopoDS_Face& face)
     if (piece.curve.IsNull())
       continue;
     const auto spline = Handle(Geom_BSplineCurve)::DownCast(piece.curve);
-    const int samples = spline.IsNull() ? 12 : 3 * spline->NbKnots();
-    for (int i = 0; i <= samples; ++i)
-      result = (std::max)(result, distance(surface, piece.point(double(i) / samples)));
+    result = (std::max)(result, gap(piece, surface, spline.IsNull() ? 12 : 3 * spline->NbKnots()));
   }
   return result;
 }
 
-/// The triangles of a face, the surface that is to be compared with them, and what is measured.
+/// A face, and the triangles that it is to be compared with.
 class Comparison
 {
 public:
   Comparison(const Solid& solid, const std::vector<Mesh::Face_index>& triangles,
-             const TopoDS_Face& face, const Surfaces& surface_of_label, const Tree& tree)
+             const TopoDS_Face& face, const Surfaces& surface, const Surfaces& surface_of_label,
+             const Tree& tree)
     : m_solid(solid)
     , m_mesh(solid.mesh)
     , m_triangles(triangles)
     , m_face(face)
-    , m_surface{projector(BRep_Tool::Surface(face))}
+    , m_surface(surface)
     , m_surface_of_label(surface_of_label)
     , m_tree(tree)
   {}
 
+  /// All errors but those of edges.
   Face_errors run() const
   {
     Face_errors result;
@@ -95,7 +94,6 @@ public:
       include(result.of_sides, CGAL::ORIGIN + sum / 3, m_surface);
     }
     result.of_surface = distance_to_triangles();
-    result.of_edges = distance_of_edges(m_face);
     return result;
   }
 
@@ -133,13 +131,12 @@ private:
   const Mesh& m_mesh;
   const std::vector<Mesh::Face_index>& m_triangles;
   const TopoDS_Face& m_face;
-  Surfaces m_surface;
+  const Surfaces& m_surface;
   const Surfaces& m_surface_of_label;
   const Tree& m_tree;
 };
 
-} // namespace
-
+/// Measures a shape, but for its faces.
 Certificate measure(const TopoDS_Shape& shape)
 {
   constexpr double precision = 1e-5; // of area and volume
@@ -148,10 +145,6 @@ Certificate measure(const TopoDS_Shape& shape)
     ++result.number_of_solids;
   result.is_closed = result.number_of_solids > 0 && has_closed_shells(shape);
   result.is_valid = !shape.IsNull() && BRepCheck_Analyzer(shape).IsValid();
-  for (const TopoDS_Face& face : faces_of(shape)) {
-    ++result.number_of_faces;
-    result.gap = (std::max)(result.gap, distance_of_edges(face));
-  }
   GProp_GProps volume, area;
   BRepGProp::VolumeProperties(shape, volume, precision);
   BRepGProp::SurfaceProperties(shape, area, precision);
@@ -160,11 +153,21 @@ Certificate measure(const TopoDS_Shape& shape)
   return result;
 }
 
+} // namespace
+
 Certificate compare(const TopoDS_Shape& shape, const Solid& solid)
 {
   constexpr double deflection = 1e-3, angle = 0.3;
   Certificate result = measure(shape);
   const std::vector<TopoDS_Face> faces = faces_of(shape);
+  result.number_of_faces = faces.size();
+  std::vector<Surfaces> surfaces; // of each face one
+  std::vector<double> gaps;
+  for (const TopoDS_Face& face : faces) {
+    surfaces.push_back({projector(BRep_Tool::Surface(face))});
+    gaps.push_back(distance_of_edges(face, surfaces.back()));
+    result.gap = (std::max)(result.gap, gaps.back());
+  }
   if (faces.size() != solid.label_of_face.size())
     return result;
   BRepMesh_IncrementalMesh(shape, deflection * size_of(solid.mesh), false, angle);
@@ -173,12 +176,15 @@ Certificate compare(const TopoDS_Shape& shape, const Solid& solid)
     triangles[solid.labels[f]].push_back(f);
   const Tree tree(solid.mesh.faces_begin(), solid.mesh.faces_end(), solid.mesh);
   result.faces.resize(triangles.size());
-  Surfaces surfaces(triangles.size());
+  Surfaces surface_of_label(triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
-    surfaces[solid.label_of_face[i]] = projector(BRep_Tool::Surface(faces[i]));
+    surface_of_label[solid.label_of_face[i]] = surfaces[i].front();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::size_t label = solid.label_of_face[i];
-    result.faces[label] = Comparison(solid, triangles[label], faces[i], surfaces, tree).run();
+    result.faces[label] = Comparison(solid, triangles[label], faces[i], surfaces[i],
+                                     surface_of_label, tree)
+                            .run();
+    result.faces[label].of_edges = gaps[i];
   }
   return result;
 }

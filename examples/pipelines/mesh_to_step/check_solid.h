@@ -33,9 +33,6 @@ struct Certificate
   std::vector<Face_errors> faces; ///< by label, if the shape has all faces that were made
 };
 
-/// Measures a shape.
-Certificate measure(const TopoDS_Shape& shape);
-
 /// Measures a shape, which is `solid` as a file has it, and compares it with the mesh.
 Certificate compare(const TopoDS_Shape& shape, const Solid& solid);
 

@@ -2,6 +2,8 @@
 
 #include "freeform_surface.h"
 
+#include "part_surface.h"
+
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -178,11 +180,10 @@ std::array<double, 2> move_to_feet(std::vector<Sample>& samples, const Geom_BSpl
         farthest[s.is_of_edge] = (std::max)(farthest[s.is_of_edge], d.Magnitude());
         break;
       }
-      const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, determinant = a * c - b * b;
-      if (!(determinant > 1e-12 * a * c))
-        continue;
-      s.u = u.clamp(s.u + (c * (d * by_u) - b * (d * by_v)) / determinant);
-      s.v = v.clamp(s.v + (a * (d * by_v) - b * (d * by_u)) / determinant);
+      if (const auto move = step_to_foot(by_u, by_v, d)) {
+        s.u = u.clamp(s.u + move->X());
+        s.v = v.clamp(s.v + move->Y());
+      }
     }
   return farthest;
 }

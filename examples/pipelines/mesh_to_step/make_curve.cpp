@@ -197,9 +197,8 @@ Border_curve curve_on_surfaces(const Points& points, const Surfaces& surfaces, d
 double gap(const Curve_piece& piece, const Surfaces& surfaces, int samples)
 {
   double result = 0;
-  for (int i = 0; i <= samples; ++i) {
+  for (int i = 0; i <= samples; ++i)
     result = (std::max)(result, distance(surfaces, piece.point(double(i) / samples)));
-  }
   return result;
 }
 

@@ -11,7 +11,6 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pnt2d.hxx>
-#include <gp_XY.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +73,10 @@ private:
       if (d.SquareMagnitude() < least) {
         least = d.SquareMagnitude();
         best = uv;
-        const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, area = a * c - b * b;
-        if (!(area > 1e-12 * a * c))
+        const std::optional<gp_XY> step_to_point = step_to_foot(by_u, by_v, d);
+        if (!step_to_point)
           break;
-        move = {(c * (d * by_u) - b * (d * by_v)) / area, (a * (d * by_v) - b * (d * by_u)) / area};
+        move = *step_to_point;
       } else
         move /= 2;
       uv = best.XY() + move;
@@ -137,6 +136,15 @@ Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
   if (const double length = result.normal.Magnitude(); length > 0)
     result.normal /= length;
   return result;
+}
+
+std::optional<gp_XY> step_to_foot(const gp_Vec& by_u, const gp_Vec& by_v, const gp_Vec& d)
+{
+  const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, determinant = a * c - b * b;
+  if (!(determinant > 1e-12 * a * c))
+    return std::nullopt;
+  return gp_XY((c * (d * by_u) - b * (d * by_v)) / determinant,
+               (a * (d * by_v) - b * (d * by_u)) / determinant);
 }
 
 double distance(const Surfaces& surfaces, const gp_Pnt& p)

@@ -9,7 +9,10 @@
 #include <ShapeAnalysis_Surface.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
+#include <gp_XY.hxx>
 
+#include <optional>
 #include <vector>
 
 namespace mesh_to_step {
@@ -41,6 +44,13 @@ struct Foot
 };
 
 Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p);
+
+/// The step of the parameters towards those of the foot of a point, by Gauss and Newton's method;
+/// none where the surface has no normal.
+///
+/// \param by_u, by_v derivatives of the surface at the parameters
+/// \param d the vector from the point there to the other one
+std::optional<gp_XY> step_to_foot(const gp_Vec& by_u, const gp_Vec& by_v, const gp_Vec& d);
 
 /// The distance of a point to the farthest of the surfaces.
 double distance(const Surfaces& surfaces, const gp_Pnt& p);

@@ -46,26 +46,35 @@ private:
   std::vector<Vertex_pair> m_edges;
 };
 
-/// The edges whose faces have several labels, in ascending order.
-template <typename Labels>
-std::vector<Vertex_pair> borders_of_labels(const Polygon_soup& soup, const Labels& labels)
+/// The edges whose faces have several labels, in ascending order. `edge(a, b)` is that of a side.
+template <typename Labels, typename Edge>
+std::vector<Vertex_pair> borders_of_labels(const Polygon_soup& soup, const Labels& labels,
+                                           const Edge& edge)
 {
-  const Edge_list edges(soup);
   std::vector<std::pair<Vertex_pair, std::int64_t>> sides;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     const Polygon_soup::Polygon polygon = soup.polygons[f];
     for (std::size_t i = 0; i < polygon.size(); ++i)
-      sides.push_back({edges.edge(polygon[i], polygon[(i + 1) % polygon.size()]), labels[f]});
+      sides.push_back({edge(polygon[i], polygon[(i + 1) % polygon.size()]), labels[f]});
   }
   std::sort(sides.begin(), sides.end());
   std::vector<Vertex_pair> result;
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    const auto& [edge, label] = sides[i];
-    if (edge == sides[i - 1].first && label != sides[i - 1].second &&
-        (result.empty() || result.back() != edge))
-      result.push_back(edge);
+    const auto& [border, label] = sides[i];
+    if (border == sides[i - 1].first && label != sides[i - 1].second &&
+        (result.empty() || result.back() != border))
+      result.push_back(border);
   }
   return result;
+}
+
+/// Those where points at the same place are one.
+template <typename Labels>
+std::vector<Vertex_pair> borders_of_labels(const Polygon_soup& soup, const Labels& labels)
+{
+  const Edge_list edges(soup);
+  return borders_of_labels(soup, labels,
+                           [&](std::size_t a, std::size_t b) { return edges.edge(a, b); });
 }
 
 } // namespace segment_mesh

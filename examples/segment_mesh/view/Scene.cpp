@@ -2,6 +2,7 @@
 
 #include "view/Scene.h"
 
+#include "soup/Edge_list.h"
 #include "soup/vector_algebra.h"
 
 #include <algorithm>
@@ -44,22 +45,14 @@ void take_points(const std::vector<Point>& points, Scene& scene)
 /// For each point its neighbors across edges of faces with different labels.
 std::vector<std::vector<std::size_t>> neighbors_on_borders(const Scene& scene)
 {
-  std::vector<std::pair<Vertex_pair, std::size_t>> sides; // with the labels of their faces
-  for (std::size_t f = 0; f < scene.labels.size(); ++f) {
-    const Polygon_soup::Polygon polygon = scene.soup.polygons[f];
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const std::size_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      sides.push_back({{(std::min)(a, b), (std::max)(a, b)}, scene.labels[f]});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
+  const auto edge = [](std::size_t a, std::size_t b) {
+    return Vertex_pair{(std::min)(a, b), (std::max)(a, b)};
+  };
   std::vector<std::vector<std::size_t>> neighbors(scene.soup.points.size());
-  for (std::size_t i = 1; i < sides.size(); ++i)
-    if (const auto [a, b] = sides[i].first;
-        sides[i - 1].first == sides[i].first && sides[i - 1].second != sides[i].second) {
-      neighbors[a].push_back(b);
-      neighbors[b].push_back(a);
-    }
+  for (const auto& [a, b] : borders_of_labels(scene.soup, scene.labels, edge)) {
+    neighbors[a].push_back(b);
+    neighbors[b].push_back(a);
+  }
   return neighbors;
 }
 
