@@ -120,11 +120,11 @@ val segment_opened(const val& request, const val& report)
                              std::begin(method_names));
     if (const unsigned number = request["number"].as<unsigned>())
       settings.number_of_segments = number;
-    Segmentation segmentation = run_on_soup(opened->mesh.soup, marks_of(request), settings,
-                                            [&](const char* stage, double fraction) {
-                                              report(std::string(stage), fraction);
-                                              return true;
-                                            });
+    Segmentation segmentation = run_segmentation(opened->mesh.soup, marks_of(request), settings,
+                                                 [&](const char* stage, double fraction) {
+                                                   report(std::string(stage), fraction);
+                                                   return true;
+                                                 });
     opened->settings = settings;
     opened->segmentation = std::move(segmentation);
     opened->details.emplace(opened->mesh.soup, opened->settings, opened->segmentation);

@@ -49,9 +49,6 @@ TEST(Whole_file, tells_file_and_cause)
   std::filesystem::create_directory(folder.path("a.seg"));
   EXPECT_EQ(message(folder.path("a.seg")), folder.path("a.seg") + ": is a directory");
   EXPECT_EQ(message("/dev/fd/999"), "/dev/fd/999: cannot be written: No such file or directory");
-  std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
-  EXPECT_EQ(message(folder.path("loop.seg")),
-            folder.path("loop.seg") + ": is a symbolic link that leads to itself");
 }
 
 TEST(Whole_file, writes_directly_what_is_no_regular_file)
@@ -112,28 +109,6 @@ TEST(Whole_file, writes_through_a_symbolic_link)
   whole.commit();
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("link.seg")));
   EXPECT_EQ(folder.read("target.seg"), "new");
-}
-
-TEST(Whole_file, writes_to_where_a_symbolic_link_leads_though_nothing_is_there)
-{
-  const Temporary_folder folder;
-  std::filesystem::create_directory(folder.path("other"));
-  std::filesystem::create_symlink("second.seg", folder.path("first.seg"));
-  std::filesystem::create_symlink("other/target.seg", folder.path("second.seg"));
-  const mode_t before = umask(022);
-  Whole_file whole(folder.path("first.seg"));
-  whole.stream() << "new";
-  whole.commit();
-  umask(before);
-  EXPECT_EQ(folder.read("other/target.seg"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("first.seg")));
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("second.seg")));
-  EXPECT_EQ(std::filesystem::status(folder.path("other/target.seg")).permissions(),
-            std::filesystem::perms(0644));
-
-  std::filesystem::create_symlink("loop.seg", folder.path("loop.seg"));
-  EXPECT_THROW(Whole_file(folder.path("loop.seg")), Output_error);
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path("loop.seg")));
 }
 
 TEST(Whole_file, writes_names_of_any_legal_length)

@@ -87,7 +87,7 @@ bool is_empty(const Image& image)
 
 TEST(Render_view, a_cube_shows_three_sides_in_their_colors_with_dark_borders)
 {
-  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
+  const Image image = render_view(make_cube(), cube_labels, small_view());
   const std::set<std::size_t> visible = visible_segments(image, 6);
   EXPECT_EQ(visible.size(), 3u);
   EXPECT_EQ(visible.count(3), 1u) << "it is seen from above";
@@ -96,12 +96,12 @@ TEST(Render_view, a_cube_shows_three_sides_in_their_colors_with_dark_borders)
 
 TEST(Render_view, is_the_same_each_time_whatever_place_and_size)
 {
-  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
-  EXPECT_EQ(image.pixels, render_view(make_cube(), cube_labels, {}, small_view()).pixels);
+  const Image image = render_view(make_cube(), cube_labels, small_view());
+  EXPECT_EQ(image.pixels, render_view(make_cube(), cube_labels, small_view()).pixels);
   Polygon_soup moved = make_cube();
   for (Point& p : moved.points)
     p = {1024 * p[0] + 4096, 1024 * p[1] - 512, 1024 * p[2]}; // without rounding
-  EXPECT_EQ(image.pixels, render_view(moved, cube_labels, {}, small_view()).pixels);
+  EXPECT_EQ(image.pixels, render_view(moved, cube_labels, small_view()).pixels);
 }
 
 TEST(Render_view, the_order_of_faces_does_not_matter)
@@ -110,8 +110,8 @@ TEST(Render_view, the_order_of_faces_does_not_matter)
   reversed.polygons = {};
   for (std::size_t f = cube_labels.size(); f-- > 0;)
     reversed.polygons.push_back(make_cube().polygons[f]);
-  EXPECT_EQ(render_view(make_cube(), cube_labels, {}, small_view()).pixels,
-            render_view(reversed, {5, 4, 3, 2, 1, 0}, {}, small_view()).pixels);
+  EXPECT_EQ(render_view(make_cube(), cube_labels, small_view()).pixels,
+            render_view(reversed, {5, 4, 3, 2, 1, 0}, small_view()).pixels);
 }
 
 /// Large triangles that cross each other, each one twice: so their depths are equal.
@@ -161,7 +161,7 @@ TEST(Sample_buffer, shows_the_nearest_of_faces_drawn_alone_whatever_their_order)
 
 TEST(Render_view, background_is_untouched)
 {
-  const Image image = render_view(make_cube(), cube_labels, {}, small_view());
+  const Image image = render_view(make_cube(), cube_labels, small_view());
   for (std::size_t y = 0; y < image.height; ++y)
     for (std::size_t x = 0; x < image.width; ++x)
       if (x == 0 || y == 0 || x + 1 == image.width || y + 1 == image.height) {
@@ -173,7 +173,7 @@ TEST(Render_view, a_side_seen_from_the_front_fills_its_square)
 {
   View_options options = small_view();
   options.viewpoint = front;
-  const Image image = render_view(make_cube(), cube_labels, {}, options);
+  const Image image = render_view(make_cube(), cube_labels, options);
   const double side = 120 * 0.92; // the margin is 4 % of the height, on both sides
   const std::size_t drawn = image.pixels.size() - number_of_pixels(image, background);
   EXPECT_NEAR(double(drawn), side * side, 2 * side);
@@ -189,12 +189,7 @@ TEST(Render_view, what_is_nearer_hides_what_is_behind_it)
   soup.polygons = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   View_options options = small_view();
   options.viewpoint = front;
-  EXPECT_EQ(visible_segments(render_view(soup, {0, 1}, {}, options), 2), std::set<std::size_t>{1});
-  EXPECT_EQ(render_view(soup, {0, 1}, {{0, 2}}, options).pixels,
-            render_view(soup, {0, 1}, {}, options).pixels)
-    << "a feature edge behind a face is not seen";
-  EXPECT_NE(render_view(soup, {0, 1}, {{4, 6}}, options).pixels,
-            render_view(soup, {0, 1}, {}, options).pixels);
+  EXPECT_EQ(visible_segments(render_view(soup, {0, 1}, options), 2), std::set<std::size_t>{1});
 }
 
 TEST(Render_view, a_polygon_that_is_not_convex_keeps_its_notch)
@@ -205,7 +200,7 @@ TEST(Render_view, a_polygon_that_is_not_convex_keeps_its_notch)
   soup.polygons = {{0, 1, 2, 3, 4, 5, 6, 7}};
   View_options options = small_view();
   options.viewpoint = front;
-  const Image image = render_view(soup, {0}, {}, options);
+  const Image image = render_view(soup, {0}, options);
   EXPECT_EQ(image.at(image.width / 2, 20), background);
   EXPECT_TRUE(is_shade_of(image.at(image.width / 2, 100), segment_color(0)));
 }
@@ -226,7 +221,7 @@ TEST(Render_view, faces_that_share_edges_leave_no_gap)
     }
   View_options options = small_view();
   options.viewpoint = front;
-  const Image image = render_view(soup, std::vector<std::size_t>(2 * n * n), {}, options);
+  const Image image = render_view(soup, std::vector<std::size_t>(2 * n * n), options);
   for (std::size_t y = 12; y < 108; ++y)
     for (std::size_t x = 32; x < 128; ++x)
       ASSERT_TRUE(is_shade_of(image.at(x, y), segment_color(0))) << x << " " << y;
@@ -249,7 +244,7 @@ TEST(Render_view, a_border_does_not_zigzag_from_edge_to_edge)
     }
   View_options options = small_view();
   options.viewpoint = front;
-  const Image image = render_view(soup, labels, {}, options);
+  const Image image = render_view(soup, labels, options);
   std::size_t least = image.width, greatest = 0;
   for (std::size_t y = 30; y < 90; ++y)
     for (std::size_t x = 40; x < 120; ++x)
@@ -271,8 +266,8 @@ TEST(Render_view, a_face_turned_the_wrong_way_looks_the_same)
   turned.polygons.push_back({last[3], last[2], last[1], last[0]});
   View_options options = small_view();
   options.viewpoint = front;
-  EXPECT_EQ(render_view(cube, cube_labels, {}, options).pixels,
-            render_view(turned, cube_labels, {}, options).pixels);
+  EXPECT_EQ(render_view(cube, cube_labels, options).pixels,
+            render_view(turned, cube_labels, options).pixels);
 }
 
 TEST(Render_view, the_viewpoint_shows_the_segments)
@@ -287,7 +282,7 @@ TEST(Render_view, the_viewpoint_shows_the_segments)
        {std::vector<std::size_t>{4, 6, 8}, {6, 2, 8}, {2, 0, 8}})
     polygons.push_back(triangle);
   soup.polygons = polygons;
-  const Image image = render_view(soup, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, small_view());
+  const Image image = render_view(soup, {0, 1, 2, 3, 4, 5, 6, 7, 8}, small_view());
   const std::set<std::size_t> visible = visible_segments(image, 9);
   for (std::size_t s : {0, 6, 7, 8})
     EXPECT_EQ(visible.count(s), 1u) << s;
@@ -320,7 +315,7 @@ TEST(Render_view, a_turned_mesh_looks_the_same_where_its_own_direction_is_up)
       p = turn(p);
     View_options options = small_view();
     options.up = up;
-    return render_view(turned, cube_labels, {}, options).pixels;
+    return render_view(turned, cube_labels, options).pixels;
   };
   const auto upright = picture({}, [](const Point& p) { return p; });
   EXPECT_EQ(upright, picture({2, 1}, [](const Point& p) { return Point{p[2], p[0], p[1]}; }));
@@ -337,7 +332,7 @@ TEST(Render_view, a_sliver_is_no_speck)
   soup.polygons = {{0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
   View_options options = small_view();
   options.viewpoint = front;
-  const Image image = render_view(soup, {0, 0, 0, 0}, {}, options);
+  const Image image = render_view(soup, {0, 0, 0, 0}, options);
   int least = 255, greatest = 0;
   for (std::size_t y = 20; y < 100; ++y)
     for (std::size_t x = 40; x < 120; ++x) {
@@ -375,18 +370,18 @@ TEST(Segment_colors, the_first_dozen_are_well_apart)
 TEST(Render_view, degenerate_meshes_do_no_harm)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1.7e308;
-  EXPECT_TRUE(is_empty(render_view({}, {}, {}, small_view())));
-  EXPECT_TRUE(is_empty(render_view({{{0, 0, 0}}, {}}, {}, {{0, 0}}, small_view())));
-  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}}, {{0, 0, 0}}}, {7}, {}, small_view())));
-  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}, {2, 2, 2}}, {{0, 1}}}, {7}, {}, small_view())));
-  EXPECT_TRUE(is_empty(
-    render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, {}, small_view())));
-  render_view({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {0}, {{0, 2}}, small_view());
+  EXPECT_TRUE(is_empty(render_view({}, {}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{0, 0, 0}}, {}}, {}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}}, {{0, 0, 0}}}, {7}, small_view())));
+  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}, {2, 2, 2}}, {{0, 1}}}, {7}, small_view())));
+  EXPECT_TRUE(
+    is_empty(render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, small_view())));
+  render_view({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {0}, small_view());
 
   Polygon_soup cube = make_cube();
   for (Point& p : cube.points)
     p = {(p[0] - 0.5) * 2 * huge, (p[1] - 0.5) * 2 * huge, (p[2] - 0.5) * 2 * huge};
-  EXPECT_EQ(visible_segments(render_view(cube, cube_labels, {}, small_view()), 6).size(), 3u);
+  EXPECT_EQ(visible_segments(render_view(cube, cube_labels, small_view()), 6).size(), 3u);
   View_options no_pixels;
   no_pixels.width = 0;
   EXPECT_TRUE(render_view(make_cube(), cube_labels, {}, no_pixels).pixels.empty());

@@ -60,23 +60,6 @@ std::vector<Named_file> files_of(const Options& options)
   return files;
 }
 
-/// \throws Usage_error for a `{name}` that stands for nothing
-void check_names(const Named_file& file)
-{
-  const std::string& name = file.name;
-  for (std::size_t at = name.find('{'); at != std::string::npos; at = name.find('{', at + 1)) {
-    const std::size_t end = name.find_first_of("{}", at + 1);
-    if (end == std::string::npos || name[end] == '{')
-      continue;
-    const std::string word = name.substr(at, end + 1 - at);
-    const bool can_be_segment = file.option == "-o";
-    if (word != stem_placeholder && !(can_be_segment && word == segment_placeholder))
-      throw Usage_error(
-        file.option + " " + name + ": unknown " + word +
-        (can_be_segment ? "; there are {stem} and {segment}" : "; there is {stem} alone"));
-  }
-}
-
 /// \throws Usage_error for a file that several inputs would share
 void check_batch(const Named_file& file)
 {
@@ -109,10 +92,6 @@ Run_files files_to_read(const std::vector<Job>& jobs)
   for (const Job& job : jobs) {
     if (!job.is_model && job.input != standard_input)
       files.emplace(resolve_links(job.input), "an input");
-    if (ending_of(job.input) == "obj")
-      files.emplace(
-        resolve_links(std::filesystem::path(job.input).replace_extension("mtl").string()),
-        "the materials of an input");
     for (const std::string& truth : job.truths)
       files.emplace(resolve_links(truth), "a truth");
     for (const Side_file& file : side_files)
@@ -122,31 +101,17 @@ Run_files files_to_read(const std::vector<Job>& jobs)
   return files;
 }
 
-/// Adds an output to the files of a run; `patterns` are those of them that hold `{segment}`.
-/// \throws Usage_error if one of the files would be replaced
-void add_output(const Output& output, Run_files& files, std::vector<std::string>& patterns)
+/// Adds an output to the files of a run. \throws Usage_error if one of them would be replaced
+void add_output(const Output& output, Run_files& files)
 {
   if (!output.is_stdout() && is_written_directly(output.file))
     return;
-  const std::string start = option_of(output) + " " + output.file + ": ",
-                    library = material_library(output);
-  const std::string name = output.is_stdout() ? output.file : resolve_links(output.file);
-  if (!library.empty())
-    if (const auto found = files.find(resolve_links(library)); found != files.end())
-      throw Usage_error(start + "its .mtl would replace " + found->second);
-  auto found = files.find(name);
-  for (const std::string& pattern : patterns)
-    if (is_segment_file(pattern, name))
-      found = files.find(pattern);
-  if (output.is_for_each_segment() && found == files.end())
-    found = std::find_if(files.begin(), files.end(),
-                         [&](const auto& file) { return is_segment_file(name, file.first); });
-  if (found != files.end())
-    throw Usage_error(start + (found->second == output_of_run ? "would be written twice"
-                                                              : "would replace " + found->second));
-  files.emplace(name, output_of_run);
-  if (output.is_for_each_segment())
-    patterns.push_back(name);
+  const auto [file, is_new] = files.emplace(
+    output.is_stdout() ? output.file : resolve_links(output.file), output_of_run);
+  if (!is_new)
+    throw Usage_error(
+      option_of(output) + " " + output.file + ": " +
+      (file->second == output_of_run ? "would be written twice" : "would replace " + file->second));
 }
 
 /// \throws Output_error if an output would be in a folder that is not there
@@ -161,17 +126,11 @@ void check_folders(const std::vector<Job>& jobs)
         throw Output_error(output.file, "there is no such folder");
 }
 
-/// \throws Usage_error for an input whose name would make an output one for each segment
 Job make_job(const std::string& input, const std::string& stem, const Options& options)
 {
   Job job{input, options.is_demo, options.outputs, options.truths, options.side_files};
-  for (Output& output : job.outputs) {
-    if (output.file.find(stem_placeholder) != std::string::npos &&
-        stem.find(segment_placeholder) != std::string::npos)
-      throw Usage_error("-o " + output.file + ": {stem} is " + stem +
-                        " here, which holds {segment}");
+  for (Output& output : job.outputs)
     output.file = with_stem(output.file, stem);
-  }
   for (std::string& truth : job.truths)
     truth = with_stem(truth, stem);
   for (const Side_file& file : side_files)
@@ -184,21 +143,18 @@ Job make_job(const std::string& input, const std::string& stem, const Options& o
 std::vector<Job> plan_jobs(const Options& options)
 {
   check_standard_input(options);
-  for (const Named_file& file : files_of(options)) {
-    check_names(file);
-    if (options.inputs.size() > 1)
+  if (options.inputs.size() > 1)
+    for (const Named_file& file : files_of(options))
       check_batch(file);
-  }
   std::vector<Job> jobs;
   for (const std::string& input : options.inputs)
     jobs.push_back(make_job(input, stem_of_input(input), options));
   if (options.is_demo)
     jobs.push_back(make_job(demo_model, demo_model, options));
   Run_files files = files_to_read(jobs);
-  std::vector<std::string> patterns;
   for (const Job& job : jobs)
     for (const Output& output : job.outputs)
-      add_output(output, files, patterns);
+      add_output(output, files);
   check_folders(jobs);
   return jobs;
 }

@@ -255,8 +255,8 @@ void run(const Job& job, const Options& options, const Progress_listener& listen
     report.err += one_line(job.input) +
                   ": looks like a machine part, whose faces --method smooth-faces finds\n";
   write_outputs(job,
-                {job.input, input.mesh, input.marks, settings, job.side_files, segmentation,
-                 details, options.view, options.coloring},
+                {job.input, input.mesh, settings, job.side_files, segmentation, details,
+                 options.view, options.coloring},
                 options.verbosity, report);
 }
 

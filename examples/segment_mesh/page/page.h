@@ -43,11 +43,8 @@ nlohmann::ordered_json shape_json(std::size_t node, const Segment_description& s
 /// The shapes of the segments that the slider shows first.
 nlohmann::ordered_json shapes_json(const Page_content& content);
 
-/// Those of a text; others are escaped.
-enum class Characters { ASCII, UTF8 };
-
 /// On one line; U+FFFD stands for what is not UTF-8.
-std::string text_of(const nlohmann::ordered_json& json, Characters characters = Characters::ASCII);
+std::string text_of(const nlohmann::ordered_json& json);
 
 /// Whether the program was built with three.js.
 bool can_write_pages();

@@ -192,11 +192,10 @@ ordered_json shapes_json(const Page_content& content)
   return shapes;
 }
 
-std::string text_of(const ordered_json& json, Characters characters)
+std::string text_of(const ordered_json& json)
 {
   constexpr int on_one_line = -1;
-  return json.dump(on_one_line, ' ', characters == Characters::ASCII,
-                   ordered_json::error_handler_t::replace);
+  return json.dump(on_one_line, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 } // namespace segment_mesh

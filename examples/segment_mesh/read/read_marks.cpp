@@ -103,16 +103,4 @@ Marks read_marks(const Side_files& files, const std::string& file, const Input_m
   return marks;
 }
 
-std::vector<Vertex_pair> lines_of_marks(const Marks& marks, const Input_mesh& input)
-{
-  std::vector<Vertex_pair> lines = marks.constrained_edges;
-  for (std::size_t f = 0; f < input.soup.polygons.size() && !marks.seed_of_face.empty(); ++f) {
-    const Polygon_soup::Polygon& polygon = input.soup.polygons[f];
-    if (marks.seed_of_face[f] != no_seed)
-      for (std::size_t i = 0; i < polygon.size(); ++i)
-        lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
-  }
-  return lines;
-}
-
 } // namespace segment_mesh

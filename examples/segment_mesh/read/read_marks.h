@@ -29,10 +29,6 @@ Marks read_marks(const Side_files& files, const std::string& file, const Input_m
 /// \throws Input_error if the input has none, naming those that it has
 const Face_sets& sets_of_input(const std::string& file, const Input_mesh& input, Set_kind kind);
 
-/// The marks as lines on a picture of `input.soup`: constrained edges, and the edges of faces with
-/// a seed.
-std::vector<Vertex_pair> lines_of_marks(const Marks& marks, const Input_mesh& input);
-
 } // namespace segment_mesh
 
 #endif // CGAL_REGION_SEGMENTATION_SEGMENT_MESH_READ_MARKS_H

@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace segment_mesh {
@@ -112,22 +110,11 @@ private:
       coordinate = number_or_zero(m_scan.word());
   }
 
-  /// Names may have blanks, but a line may also have several names.
-  void add_library(const std::string& names)
+  /// A line with several names is kept as one name, since names may have blanks.
+  void add_library(const std::string& name)
   {
-    namespace fs = std::filesystem;
-    std::vector<std::string> files = {names};
-    std::error_code error;
-    if (names.find(' ') != std::string::npos &&
-        !fs::exists(fs::path(m_library.folder) / names, error)) {
-      std::istringstream in(names);
-      const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
-      if (fs::exists(fs::path(m_library.folder) / words[0], error))
-        files = words;
-    }
-    for (const std::string& file : files)
-      if (std::find(m_library.files.begin(), m_library.files.end(), file) == m_library.files.end())
-        m_library.files.push_back(file);
+    if (std::find(m_library.files.begin(), m_library.files.end(), name) == m_library.files.end())
+      m_library.files.push_back(name);
   }
 
   void read_face()

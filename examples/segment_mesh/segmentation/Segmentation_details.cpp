@@ -14,9 +14,6 @@
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
-#include <CGAL/Region_segmentation/Two_step/detect_feature_edges.h>
-#include <CGAL/Region_segmentation/Two_step/extract_feature_lines.h>
-#include <CGAL/Region_segmentation/Two_step/grow_regions.h>
 
 #include <algorithm>
 #include <cctype>
@@ -38,74 +35,60 @@ namespace {
 
 using Mesh = Manifold::Mesh;
 
-/// The merge tree with its nodes numbered: regions first, then the result of each merge.
-class Numbered_tree
+constexpr std::size_t no_node = std::size_t(-1);
+
+/// The parents of the nodes of a merge tree: regions come first, then the result of each merge.
+std::vector<std::size_t> parents_of_nodes(const RS::Merge_tree& tree)
 {
-public:
-  explicit Numbered_tree(const RS::Merge_tree& tree)
-    : m_number_of_regions(tree.number_of_regions())
-    , m_parents(m_number_of_regions + tree.merges().size(), none)
-  {
-    std::vector<std::size_t> node_of_region(m_number_of_regions);
-    for (std::size_t r = 0; r < m_number_of_regions; ++r)
-      node_of_region[r] = r;
-    std::size_t node = m_number_of_regions;
-    for (const RS::Merge_tree::Merge& merge : tree.merges()) {
-      for (std::size_t child : {node_of_region[merge.kept], node_of_region[merge.removed]})
-        m_parents[child] = node;
-      node_of_region[merge.kept] = node++;
-    }
+  std::size_t node = tree.number_of_regions();
+  std::vector<std::size_t> parents(node + tree.merges().size(), no_node), node_of_region(node);
+  std::iota(node_of_region.begin(), node_of_region.end(), std::size_t(0));
+  for (const RS::Merge_tree::Merge& merge : tree.merges()) {
+    for (std::size_t child : {node_of_region[merge.kept], node_of_region[merge.removed]})
+      parents[child] = node;
+    node_of_region[merge.kept] = node++;
   }
+  return parents;
+}
 
-  /// The nodes of all partitions into at most `number_of_segments`, if there are any, in groups of
-  /// disjoint ones: of one height above those of them that have no child among them. Groups are
-  /// small, so that several threads have some.
-  std::vector<std::vector<std::size_t>> disjoint_groups(std::size_t number_of_segments) const
-  {
-    constexpr std::size_t greatest_group = 8;
-    std::vector<std::vector<std::size_t>> groups;
-    const std::size_t number_of_roots = 2 * m_number_of_regions - m_parents.size();
-    if (number_of_roots > number_of_segments)
-      return groups;
-    std::map<std::size_t, std::size_t> open_groups; // by height
-    std::vector<std::size_t> heights(m_parents.size());
-    for (std::size_t node = 0; node < m_parents.size(); ++node) {
-      // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
-      // R - i.
-      const std::size_t parent = m_parents[node];
-      if (parent != none && 2 * m_number_of_regions - parent > number_of_segments)
-        continue;
-      const auto [group, is_new] = open_groups.emplace(heights[node], groups.size());
-      if (is_new || groups[group->second].size() == greatest_group) {
-        group->second = groups.size();
-        groups.emplace_back();
-      }
-      groups[group->second].push_back(node);
-      if (parent != none)
-        heights[parent] = (std::max)(heights[parent], heights[node] + 1);
-    }
+/// The nodes of all partitions into at most `number_of_segments`, in groups of disjoint ones: of
+/// one height above those of them that have no child among them.
+std::vector<std::vector<std::size_t>> disjoint_nodes(const std::vector<std::size_t>& parents,
+                                                     std::size_t number_of_regions,
+                                                     std::size_t number_of_segments)
+{
+  std::vector<std::vector<std::size_t>> groups;
+  if (2 * number_of_regions - parents.size() > number_of_segments) // the roots are more
     return groups;
+  std::vector<std::size_t> heights(parents.size());
+  for (std::size_t node = 0; node < parents.size(); ++node) {
+    // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
+    // R - i.
+    const std::size_t parent = parents[node];
+    if (parent != no_node && 2 * number_of_regions - parent > number_of_segments)
+      continue;
+    groups.resize((std::max)(groups.size(), heights[node] + 1));
+    groups[heights[node]].push_back(node);
+    if (parent != no_node)
+      heights[parent] = (std::max)(heights[parent], heights[node] + 1);
   }
+  return groups;
+}
 
-  /// For each region the one of `nodes` that contains it, or `no_segment`.
-  std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes) const
-  {
-    std::vector<std::size_t> result(m_parents.size(), std::size_t(RS::no_segment));
-    for (std::size_t node : nodes)
-      result[node] = node;
-    for (std::size_t node = m_parents.size(); node-- > 0;)
-      if (result[node] == RS::no_segment && m_parents[node] != none)
-        result[node] = result[m_parents[node]];
-    result.resize(m_number_of_regions);
-    return result;
-  }
-
-private:
-  static constexpr std::size_t none = std::size_t(-1);
-
-  std::size_t m_number_of_regions;
-  std::vector<std::size_t> m_parents;
-};
+/// For each region the one of `nodes` that contains it, or `no_node`.
+std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes,
+                                          const std::vector<std::size_t>& parents,
+                                          std::size_t number_of_regions)
+{
+  std::vector<std::size_t> result(parents.size(), no_node);
+  for (std::size_t node : nodes)
+    result[node] = node;
+  for (std::size_t node = parents.size(); node-- > 0;)
+    if (result[node] == no_node && parents[node] != no_node)
+      result[node] = result[parents[node]];
+  result.resize(number_of_regions);
+  return result;
+}
 
 /// Of a segment that is a face of a machine part.
 std::string name_of_face(const Surface_face& face, std::size_t segment)
@@ -288,29 +271,6 @@ Segmentation_details::describe(const std::vector<std::size_t>& labels) const
   return result;
 }
 
-std::vector<Polyline> Segmentation_details::feature_lines() const
-{
-  const std::optional<Feature_settings>& features = m_segmentation.features;
-  if (!features)
-    return {};
-  const Mesh& m = manifold().mesh;
-  const RS::Surface surface = RS::make_surface(m);
-  auto is_feature = RS::detect_feature_edges(surface, features->maximum_angle, features->convexity);
-  const RS::Partition regions = RS::grow_regions(surface, is_feature);
-  for (std::size_t a = 0; a < is_feature.size(); ++a)
-    is_feature[a] &= regions[surface.lower_face(a)] != regions[surface.higher_face(a)];
-
-  std::vector<std::vector<RS::Surface::Index>> lines;
-  RS::extract_feature_lines(surface, is_feature, std::back_inserter(lines));
-  std::vector<Polyline> result;
-  for (const auto& line : lines) {
-    result.emplace_back();
-    for (const RS::Surface::Index v : line)
-      result.back().push_back(manifold().point_of_mesh_point[v]);
-  }
-  return result;
-}
-
 std::vector<Region> Segmentation_details::regions() const
 {
   const auto& [graph, region_of_vertex] = region_graph();
@@ -439,14 +399,16 @@ std::vector<std::size_t> Segmentation_details::colors(Coloring coloring,
 
 std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_segments) const
 {
-  const Numbered_tree tree(m_segmentation.tree);
-  const std::vector<std::vector<std::size_t>> groups = tree.disjoint_groups(number_of_segments);
+  const std::size_t number_of_regions = m_segmentation.tree.number_of_regions();
+  const std::vector<std::size_t> parents = parents_of_nodes(m_segmentation.tree);
+  const auto groups = disjoint_nodes(parents, number_of_regions, number_of_segments);
   manifold(), machine_part(); // made by this thread
   std::vector<std::vector<Segment_description>> shapes(groups.size());
   const RS::Execution execution = RS::internal::make_execution<CGAL::Parallel_if_available_tag>(
     RS::parameters::default_values());
   execution.for_each(0, groups.size(), [&](std::size_t i) {
-    const std::vector<std::size_t> node_of_region = tree.nodes_of_regions(groups[i]);
+    const std::vector<std::size_t> node_of_region = nodes_of_regions(groups[i], parents,
+                                                                     number_of_regions);
     std::vector<std::size_t> node_of_face;
     node_of_face.reserve(m_segmentation.region_of_face.size());
     for (std::size_t region : m_segmentation.region_of_face)

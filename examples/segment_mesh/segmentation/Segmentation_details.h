@@ -112,9 +112,6 @@ public:
   Segmentation_details& operator=(const Segmentation_details&) = delete;
   ~Segmentation_details();
 
-  /// The feature edges as lines from junction to junction, with borders of the mesh and without
-  /// those that end inside the surface; none of a method without feature edges.
-  std::vector<Polyline> feature_lines() const;
   std::vector<Region> regions() const;
   std::vector<Section> sections() const;
   /// By segment.

@@ -37,9 +37,6 @@ constexpr const char* method_names[] = {"two-step", "visibility", "learned", "sm
 /// The names of `Feature_convexity`, in their order.
 constexpr const char* feature_names[] = {"convex", "concave", "all"};
 
-/// What becomes of the borders that a method gives.
-enum class Border_treatment { NONE, SMOOTHING };
-
 /// Whether components that touch or are near each other are adjacent.
 enum class Component_links { NONE, FOUND };
 
@@ -51,24 +48,9 @@ struct Segmentation_settings
   /// Which edges can be features, of a method that has them.
   CGAL::Region_segmentation::Feature_convexity
     features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
-  std::optional<double> maximum_angle; ///< in degrees; the method's own if empty
+  double maximum_angle = CGAL::Region_segmentation::default_maximum_angle; ///< the same, in degrees
   double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
-  Border_treatment borders = Border_treatment::NONE;
   Component_links links = Component_links::FOUND;
-};
-
-struct Stage_time
-{
-  std::string stage;
-  double seconds;
-};
-
-/// Which edges were feature edges.
-struct Feature_settings
-{
-  double maximum_angle = 0; ///< in degrees
-  CGAL::Region_segmentation::Feature_convexity
-    convexity = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
 };
 
 /// Faces have the indices that they have in the soup.
@@ -78,7 +60,6 @@ struct Segmentation
   std::size_t number_of_segments = 0;
   /// Where the method chose the largest number that it chooses: there may be more parts.
   std::optional<std::size_t> largest_number;
-  std::optional<Feature_settings> features; ///< of a method that has feature edges
   std::vector<std::size_t> segment_of_face; ///< `no_segment` for faces of none
   std::vector<std::string> names;           ///< of segments that a file names, else empty
   std::vector<std::size_t> region_of_face;  ///< a region lies in one segment
@@ -88,7 +69,6 @@ struct Segmentation
   /// Those that `SMOOTH_FACES` found; null for other methods.
   std::shared_ptr<const CGAL::Region_segmentation::Surface_faces> part_faces;
   double seconds = 0; ///< from the mesh in memory to the labels
-  std::vector<Stage_time> stages;
 };
 
 /// Hears of a stage and of how much of it is done, from 0 to 1; false cancels.
@@ -102,10 +82,6 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
 /// A segmentation that exists: a segment for each label, in their order. No other regions, but for
 /// a last one of the faces with the label -1, which are in no segment.
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels);
-
-/// The same without the smoothing of borders.
-Segmentation run_on_soup(const Polygon_soup& soup, const Marks& marks,
-                         const Segmentation_settings& settings, const Progress_listener& listener);
 
 } // namespace segment_mesh
 

@@ -71,7 +71,7 @@ void Sample_buffer::draw_span(const Screen_point& from, const Screen_point& to, 
     const Screen_point p = between(from, to, (double(column) + 0.5 - from.x) * step);
     Sample& sample = m_samples[row * m_width + column];
     if (float(p.depth) < sample.depth || (float(p.depth) == sample.depth && face < sample.face))
-      sample = {face, float(p.depth), float(p.light), 0};
+      sample = {face, float(p.depth), float(p.light), false};
   }
 }
 

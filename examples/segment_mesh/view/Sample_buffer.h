@@ -7,7 +7,6 @@
 #include "view/choose_viewpoint.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -32,7 +31,7 @@ public:
     Index face = no_face;
     float depth = std::numeric_limits<float>::infinity();
     float light = 0;
-    std::uint8_t ink = 0; ///< how much of its color a dark line takes, of 255
+    bool is_inked = false; ///< by a dark line
   };
 
   Sample_buffer(std::size_t width, std::size_t height);

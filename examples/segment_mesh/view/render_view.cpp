@@ -57,23 +57,9 @@ void draw_lit_faces(const Scene& scene, const Projection& projection, const View
     buffer);
 }
 
-/// A line of dark ink. Radii are in samples; none is on the background.
-struct Pen
-{
-  double radius;
-  std::uint8_t ink; ///< see `Sample_buffer::Sample`
-
-  void stamp(Sample_buffer& buffer, std::size_t column, std::size_t row) const
-  {
-    buffer.for_each_near(column, row, radius, [this](Sample_buffer::Sample& sample) {
-      sample.ink = (std::max)(sample.ink, ink);
-    });
-  }
-};
-
 /// Where two neighboring samples show different segments: borders, and outlines of one segment
-/// before another.
-void draw_borders(const Scene& scene, const Pen& pen, Sample_buffer& buffer)
+/// before another. The radius of a line is in samples; none is on the background.
+void draw_borders(const Scene& scene, double radius, Sample_buffer& buffer)
 {
   const auto label = [&](std::size_t column, std::size_t row) -> std::optional<std::size_t> {
     if (column >= buffer.width() || row >= buffer.height() ||
@@ -85,37 +71,8 @@ void draw_borders(const Scene& scene, const Pen& pen, Sample_buffer& buffer)
     for (std::size_t x = 0; x < buffer.width(); ++x) {
       const auto here = label(x, y), right = label(x + 1, y), below = label(x, y + 1);
       if (here && ((right && *right != *here) || (below && *below != *here)))
-        pen.stamp(buffer, x, y);
+        buffer.for_each_near(x, y, radius, [](auto& sample) { sample.is_inked = true; });
     }
-}
-
-/// A line on the surface, where no face is before it. The depth of the surface varies within a
-/// sample: the deepest of the samples around is taken for it.
-void draw_line(const Screen_point& from, const Screen_point& to, const Pen& pen,
-               Sample_buffer& buffer)
-{
-  constexpr float tolerance = 1e-3f; // of the radius of the scene
-  const double steps = std::ceil((std::max)(std::abs(to.x - from.x), std::abs(to.y - from.y))) + 1;
-  for (double i = 0; i <= steps; ++i) {
-    const double t = i / steps, x = from.x + t * (to.x - from.x), y = from.y + t * (to.y - from.y);
-    if (!(x >= 0 && y >= 0 && x < double(buffer.width()) && y < double(buffer.height())))
-      continue;
-    const float depth = float(from.depth + t * (to.depth - from.depth));
-    bool is_visible = false;
-    buffer.for_each_near(std::size_t(x), std::size_t(y), 1.5, [&](const auto& sample) {
-      is_visible |= depth <= sample.depth + tolerance;
-    });
-    if (is_visible)
-      pen.stamp(buffer, std::size_t(x), std::size_t(y));
-  }
-}
-
-void draw_edges(const Scene& scene, const Projection& projection,
-                const std::vector<Vertex_pair>& edges, const Pen& pen, Sample_buffer& buffer)
-{
-  const std::vector<Point>& points = scene.soup.points;
-  for (const auto& [from, to] : edges)
-    draw_line(projection(points[from]), projection(points[to]), pen, buffer);
 }
 
 /// Adds what a sample shows to channels from 0 to 255: toward black below a light of 1, toward
@@ -131,6 +88,7 @@ void add_sample(const Color& color, float light, float paint, std::array<float, 
 Image resolve(const Scene& scene, const Sample_buffer& buffer, const View_options& options,
               std::size_t samples)
 {
+  constexpr float paint_below_ink = 0.16f;
   Image image(options.width, options.height, options.background);
   for (std::size_t y = 0; y < image.height; ++y)
     for (std::size_t x = 0; x < image.width; ++x) {
@@ -144,7 +102,7 @@ Image resolve(const Scene& scene, const Sample_buffer& buffer, const View_option
           }
           const std::size_t label = scene.labels[sample.face];
           add_sample(segment_color(label < options.colors.size() ? options.colors[label] : label),
-                     sample.light, 1 - float(sample.ink) / 255, sum);
+                     sample.light, sample.is_inked ? paint_below_ink : 1, sum);
         }
       for (std::size_t j = 0; j < 3; ++j)
         image.at(x, y)[j] = std::uint8_t(sum[j] / float(samples * samples) + 0.5f);
@@ -154,17 +112,8 @@ Image resolve(const Scene& scene, const Sample_buffer& buffer, const View_option
 
 } // namespace
 
-std::vector<Vertex_pair> edges_of_lines(const std::vector<std::vector<std::size_t>>& lines)
-{
-  std::vector<Vertex_pair> edges;
-  for (const std::vector<std::size_t>& line : lines)
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      edges.push_back({line[i], line[i + 1]});
-  return edges;
-}
-
 Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
-                  const std::vector<Vertex_pair>& feature_edges, const View_options& options)
+                  const View_options& options)
 {
   constexpr double margin = 0.04;
   Scene scene = make_scene(soup, labels);
@@ -179,9 +128,7 @@ Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labe
 
   // Widths follow the size of the picture: 2 pixels for borders at a height of 600.
   const double line = double(samples) * std::sqrt(double(options.height) / 600);
-  draw_edges(scene, projection, feature_edges, {0.6 * line, 130}, buffer);
-  draw_borders(scene, {(std::max)(1.0, 0.85 * line), 215}, buffer);
-  draw_edges(scene, projection, options.marked_edges, {1.3 * line, 255}, buffer);
+  draw_borders(scene, (std::max)(1.0, 0.85 * line), buffer);
   return resolve(scene, buffer, options, samples);
 }
 

@@ -33,27 +33,23 @@ struct Image
   Color& at(std::size_t column, std::size_t row) { return pixels[row * width + column]; }
 };
 
-/// The edges of lines of points.
-std::vector<Vertex_pair> edges_of_lines(const std::vector<std::vector<std::size_t>>& lines);
-
 struct View_options
 {
   std::size_t width = 800, height = 600; ///< in pixels
   std::size_t samples = 2; ///< a side of a pixel, so that lines and outlines are smooth
   Color background = {255, 255, 255};
   Up_direction up;
-  std::optional<Viewpoint> viewpoint;    ///< by `choose_viewpoint()` if empty
-  std::vector<Vertex_pair> marked_edges; ///< drawn darker than borders
-  std::vector<std::size_t> colors;       ///< numbers by label; if empty, the labels
+  std::optional<Viewpoint> viewpoint; ///< by `choose_viewpoint()` if empty
+  std::vector<std::size_t> colors;    ///< numbers by label; if empty, the labels
 };
 
 /// Draws a mesh: each segment shaded in the `segment_color()` of its number, its borders as dark
-/// lines, feature edges within segments as thinner ones. Without a display or a GPU; the same
+/// lines. Without a display or a GPU; the same
 /// picture for the same input. Faces may be of any size, need not be convex or planar, and may be
 /// turned either way; those that have no inside are not seen. \pre there are a label for each face
-/// and a point for each corner and each end of an edge
+/// and a point for each corner
 Image render_view(const Polygon_soup& soup, const std::vector<std::size_t>& labels,
-                  const std::vector<Vertex_pair>& feature_edges, const View_options& options = {});
+                  const View_options& options = {});
 
 /// Writes an image by libpng. No time and no name of a program is in it: the same bytes for the
 /// same image. \throws std::runtime_error for an image without pixels, or if libpng fails; a

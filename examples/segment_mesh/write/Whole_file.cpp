@@ -26,17 +26,6 @@ std::string reason(int error_number)
   return error_number == 0 ? "" : ": " + std::generic_category().message(error_number);
 }
 
-/// What `fs::weakly_canonical()` does not do.
-fs::path follow_links_to_nothing(fs::path path)
-{
-  std::error_code ignored;
-  for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(path, ignored)) &&
-                      !fs::exists(path, ignored);
-       ++links) // 40 at most, as on Linux
-    path = path.parent_path() / fs::read_symlink(path, ignored);
-  return path;
-}
-
 } // namespace
 
 Whole_file::Whole_file(const std::string& file)
@@ -54,8 +43,6 @@ Whole_file::Whole_file(const std::string& file)
   // Behind symbolic links, since renaming onto a link would replace the link.
   m_target = resolve_links(file);
   std::error_code ignored;
-  if (fs::is_symlink(fs::symlink_status(m_target, ignored)))
-    throw Output_error(file, "is a symbolic link that leads to itself");
   if (fs::is_directory(m_target, ignored))
     throw Output_error(file, "is a directory");
   m_temporary = m_target.parent_path() / ("." + std::to_string(std::random_device()()) + ".part");
@@ -112,8 +99,7 @@ std::string resolve_links(const std::string& file)
 {
   std::error_code error;
   // Of a file that is not there the relative name would stay relative, and have no folder.
-  const fs::path path = follow_links_to_nothing(fs::absolute(file, error));
-  const fs::path resolved = fs::weakly_canonical(path, error);
+  const fs::path resolved = fs::weakly_canonical(fs::absolute(file, error), error);
   return error ? file : resolved.string();
 }
 

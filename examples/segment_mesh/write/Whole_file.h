@@ -40,8 +40,8 @@ private:
 bool is_written_directly(const std::string& file);
 
 /// The file that is written where `file` is opened: an absolute path without symbolic links, the
-/// same for all names of a file, whether it is there or not. The name itself where that cannot be
-/// found out; of a link that leads to itself a link.
+/// same for all names of a file. A link that leads to nothing stays, and will be replaced; so does
+/// the name where the file cannot be found out.
 std::string resolve_links(const std::string& file);
 
 /// Occupies the descriptors of those of stdin, stdout and stderr that are closed, so that no file

@@ -47,10 +47,8 @@ bool is_mesh(Output_format format)
 
 void check(const Output& output)
 {
-  const bool is_polyline_format = output.format == Output_format::OBJ ||
-                                  output.format == Output_format::VTP;
-  if (output.content == Output_content::BORDERS && !is_polyline_format)
-    throw Usage_error("--borders " + output.file + ": polylines are written as .obj or .vtp");
+  if (output.content == Output_content::BORDERS && output.format != Output_format::OBJ)
+    throw Usage_error("--borders " + output.file + ": polylines are written as .obj");
   if (output.is_for_each_segment()) {
     if (output.content == Output_content::BORDERS)
       throw Usage_error("--borders " + output.file + ": {segment} is for -o alone");
@@ -58,10 +56,6 @@ void check(const Output& output)
       throw Usage_error(
         output.file +
         ": a file for each segment is .ply, .off, .obj, .vtp, .stl, .glb, .3mf or .msh");
-    if (std::filesystem::path(output.file).filename().string().find(segment_placeholder) ==
-        std::string::npos)
-      throw Usage_error(output.file +
-                        ": {segment} belongs to the name of the file, not of its folder");
   }
 }
 
@@ -88,15 +82,6 @@ std::string material_library(const Output& output)
   if (output.compression != Compression::NONE)
     file.replace_extension();
   return file.replace_extension(".mtl").string();
-}
-
-bool is_segment_file(const std::string& pattern, const std::string& name)
-{
-  const std::size_t first = pattern.find(segment_placeholder);
-  for (std::size_t end = first; end < name.size() && name[end] >= '0' && name[end] <= '9'; ++end)
-    if (with_segment(pattern, name.substr(first, end + 1 - first)) == name)
-      return true;
-  return false;
 }
 
 Output make_output(const std::string& text, Output_content content)

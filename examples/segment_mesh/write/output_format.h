@@ -51,10 +51,6 @@ struct Output
 /// The name with this number in place of each `{segment}`.
 std::string with_segment(const std::string& file, const std::string& number);
 
-/// Whether `name` is `pattern` with the same number in place of each `{segment}`.
-/// \pre there is one in `pattern`
-bool is_segment_file(const std::string& pattern, const std::string& name);
-
 /// The file of materials beside a file in .obj format, which refers to it by name: NAME.mtl beside
 /// NAME.obj or NAME.obj.gz. Empty of another format, and of what is written directly.
 std::string material_library(const Output& output);

@@ -14,15 +14,13 @@
 namespace segment_mesh {
 
 /// \name Meshes with a segment for each face
-/// They keep the colors of points; `.ply` and `.obj` also texture coordinates, and the sets of
-/// faces, by name; `.vtp` these by number.
+/// They keep the colors of points; `.ply` and `.obj` also the sets of faces, by name, `.vtp` by
+/// number; `.obj` texture coordinates.
 /// @{
 
 /// Binary, little endian: double coordinates; for each face its points, a color and an int
-/// `segment`; for each kind of sets an int, whose names are in comments. `textures`: the names of
-/// image files
-void write_ply(std::ostream& out, const Labelled_mesh& mesh,
-               const std::vector<std::string>& textures = {});
+/// `segment`; for each kind of sets an int, whose names are in comments.
+void write_ply(std::ostream& out, const Labelled_mesh& mesh);
 
 /// Colored faces: red, green and blue from 0 to 255 after the indices.
 void write_off(std::ostream& out, const Labelled_mesh& mesh);
@@ -68,17 +66,10 @@ void write_painted_3mf(std::ostream& out, const Labelled_mesh& mesh);
 void write_msh(std::ostream& out, const Labelled_mesh& mesh);
 /// @}
 
-/// \name Borders as polylines
-/// @{
-
-/// An `l` element for each border, in a group `border_I_J` of the segments to its left and right.
+/// Borders as polylines: an `l` element for each, in a group `border_I_J` of the segments to its
+/// left and right.
 void write_borders_obj(std::ostream& out, const std::vector<Point>& points,
                        const std::vector<Border>& borders);
-
-/// Lines of PolyData, with the arrays `left_segment` and `right_segment`.
-void write_borders_vtp(std::ostream& out, const std::vector<Point>& points,
-                       const std::vector<Border>& borders);
-/// @}
 
 } // namespace segment_mesh
 

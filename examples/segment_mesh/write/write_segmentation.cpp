@@ -4,7 +4,6 @@
 
 #include "page/page.h"
 #include "read/errors.h"
-#include "read/read_marks.h"
 #include "view/render_view.h"
 #include "write/Text_buffer.h"
 #include "write/Whole_file.h"
@@ -27,7 +26,7 @@ namespace segment_mesh {
 namespace {
 
 /// With no other points than those of borders.
-void write_borders(std::ostream& out, Output_format format, const Result& result)
+void write_borders(std::ostream& out, const Result& result)
 {
   constexpr std::size_t unused = std::size_t(-1);
   std::vector<std::size_t> new_index(result.input.soup.points.size(), unused);
@@ -41,10 +40,7 @@ void write_borders(std::ostream& out, Output_format format, const Result& result
       }
       i = new_index[i];
     }
-  if (format == Output_format::VTP)
-    write_borders_vtp(out, points, borders);
-  else
-    write_borders_obj(out, points, borders);
+  write_borders_obj(out, points, borders);
 }
 
 std::string folder_of(const Output& output)
@@ -55,7 +51,7 @@ std::string folder_of(const Output& output)
 }
 
 /// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
-/// `materials`: the names of the files of those of .obj, of images of .ply
+/// `materials`: the names of the files of those of .obj
 void write_segments(std::ostream& out, const Output& output, const Result& result,
                     const Labelled_mesh& mesh, const std::vector<std::string>& materials)
 {
@@ -63,7 +59,7 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
   case Output_format::SEG:
     return write_seg(out, result);
   case Output_format::PLY:
-    return write_ply(out, mesh, materials);
+    return write_ply(out, mesh);
   case Output_format::OFF:
     return write_off(out, mesh);
   case Output_format::OBJ:
@@ -109,14 +105,12 @@ void write_stream(std::ostream& out, Compression compression, const Write& write
   out.write(compressed.data(), std::streamsize(compressed.size()));
 }
 
-/// The names of files of materials or images of the input, as seen from an output.
-std::vector<std::string>
-files_of_input(const Output& output, const Mesh_properties& properties,
-               std::vector<std::string> Material_library::*files = &Material_library::files)
+/// The names of files of materials of the input, as seen from an output.
+std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
 {
   std::vector<std::string> names;
   if (properties.library)
-    for (const std::string& name : properties.library.get()->*files)
+    for (const std::string& name : properties.library->files)
       names.push_back(one_line(relative_name(properties.library->folder, name, folder_of(output))));
   return names;
 }
@@ -136,9 +130,7 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
   std::vector<std::string> names;
-  if (output.format == Output_format::PLY)
-    names = files_of_input(output, mesh.properties, &Material_library::textures);
-  else if (has_obj_materials(mesh.properties))
+  if (has_obj_materials(mesh.properties))
     names = files_of_input(output, mesh.properties);
   else if (const std::string library = material_library(output); !library.empty()) {
     check_library(library, output, result);
@@ -148,7 +140,7 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   }
   write_stream(file.stream(), output.compression, [&](std::ostream& out) {
     if (output.content == Output_content::BORDERS)
-      write_borders(out, output.format, result);
+      write_borders(out, result);
     else
       write_segments(out, output, result, mesh, names);
   });
@@ -166,33 +158,13 @@ Remarks write_solid(const Output& output, const Result& result)
   return step.remarks;
 }
 
-/// The largest absolute value of a coordinate of a polygon.
-double largest_coordinate(const Polygon_soup& soup)
-{
-  double largest = 0;
-  for (const Polygon_soup::Polygon& polygon : soup.polygons)
-    for (const std::size_t v : polygon)
-      for (const double x : soup.points[v])
-        largest = (std::max)(largest, std::fabs(x));
-  return largest;
-}
-
-/// \throws Output_error if the coordinates are none of float, which readers of the formats of parts
-/// use
+/// \throws Output_error if the coordinates are none of float, as .glb has them
 void check_coordinates(const Output& output, const Polygon_soup& soup)
 {
-  using Limits = std::numeric_limits<float>;
-  if (output.format != Output_format::GLB && output.format != Output_format::THREE_MF &&
-      output.format != Output_format::STL)
-    return;
-  const double least = double((Limits::min)()), most = double((Limits::max)()),
-               largest = largest_coordinate(soup);
-  if (largest > most || (largest > 0 && largest < least)) {
-    std::ostringstream text;
-    text << "coordinates reach " << largest << ", this format can have some from " << least
-         << " to " << most;
-    throw Output_error(output.file, text.str());
-  }
+  for (const std::size_t i : soup.polygons.corners())
+    for (const double x : soup.points[i])
+      if (std::fabs(x) > double((std::numeric_limits<float>::max)()))
+        throw Output_error(output.file, "coordinates above 3.4e38, which .glb cannot have");
 }
 
 void write_each_segment(const Output& output, const Result& result, const Labelled_mesh& mesh)
@@ -202,6 +174,8 @@ void write_each_segment(const Output& output, const Result& result, const Labell
     const Mesh_part part = extract_faces(mesh, faces[segment]);
     Output file = output;
     file.file = with_segment(output.file, std::to_string(segment));
+    if (resolve_links(file.file) == resolve_links(result.name))
+      throw Output_error(file.file, "would replace the input");
     write_file(file, result,
                {part.soup, std::vector<std::size_t>(part.soup.polygons.size(), segment), mesh.names,
                 part.properties});
@@ -218,7 +192,8 @@ Remarks write_segmentation(const Output& output, const Result& result)
     throw Output_error(output.file,
                        "pages need three.js (Debian: libjs-three), and this program was "
                        "built without it");
-  check_coordinates(output, result.input.soup);
+  if (output.format == Output_format::GLB)
+    check_coordinates(output, result.input.soup);
   std::optional<Solids> solids;
   if (output.content == Output_content::SOLIDS)
     solids = result.details.solids();
@@ -248,10 +223,7 @@ void write_view(std::ostream& out, const Result& result)
   View_options options = result.view;
   options.colors = result.details.colors(result.coloring, result.segmentation.segment_of_face,
                                          result.segmentation.number_of_segments);
-  options.marked_edges = lines_of_marks(result.marks, result.input);
-  write_png(render_view(result.input.soup, result.segmentation.segment_of_face,
-                        edges_of_lines(result.details.feature_lines()), options),
-            out);
+  write_png(render_view(result.input.soup, result.segmentation.segment_of_face, options), out);
 }
 
 void write_html(std::ostream& out, const Result& result)

@@ -22,7 +22,6 @@ struct Result
 {
   const std::string& name; ///< of the input
   const Input_mesh& input;
-  const Marks& marks;
   const Segmentation_settings& settings;
   const Side_files& side_files;
   const Segmentation& segmentation;

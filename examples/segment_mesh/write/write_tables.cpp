@@ -83,8 +83,7 @@ ordered_json settings_json(const Result& result)
   const Segmentation_settings& settings = result.settings;
   ordered_json json = {{"method", method_names[std::size_t(settings.method)]},
                        {"segments", nullptr},
-                       {"links", settings.links == Component_links::FOUND},
-                       {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
+                       {"links", settings.links == Component_links::FOUND}};
   if (settings.number_of_segments)
     json["segments"] = *settings.number_of_segments;
   if (!result.side_files.constraints.empty())
@@ -93,9 +92,9 @@ ordered_json settings_json(const Result& result)
     json["constraints_from"] = set_kind_names[std::size_t(*kind)];
   if (!result.side_files.seeds.empty())
     json["seeds"] = result.side_files.seeds;
-  if (const auto& features = result.segmentation.features) {
-    json["features"] = feature_names[std::size_t(features->convexity)];
-    json["max_angle"] = features->maximum_angle;
+  if (settings.method == Method::TWO_STEP) {
+    json["features"] = feature_names[std::size_t(settings.features)];
+    json["max_angle"] = settings.maximum_angle;
   }
   if (settings.tolerance > 0)
     json["tolerance"] = settings.tolerance;
@@ -109,14 +108,6 @@ ordered_json array_json(const Elements& elements, ToJson to_json)
   for (const auto& element : elements)
     array.push_back(to_json(element));
   return array;
-}
-
-ordered_json times_json(const Segmentation& segmentation)
-{
-  ordered_json stages = array_json(segmentation.stages, [](const Stage_time& time) -> ordered_json {
-    return {{"stage", time.stage}, {"seconds", time.seconds}};
-  });
-  return {{"total", segmentation.seconds}, {"stages", std::move(stages)}};
 }
 
 void add_details(const Result& result, ordered_json& json)
@@ -152,12 +143,12 @@ void write_members(std::ostream& out, const ordered_json& json)
     out << separator << "\"" << name << "\": ";
     separator = ",\n";
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
-      out << text_of(value, Characters::UTF8);
+      out << text_of(value);
       continue;
     }
     const char* before = "[\n";
     for (const ordered_json& element : value) {
-      out << before << text_of(element, Characters::UTF8);
+      out << before << text_of(element);
       before = ",\n";
     }
     out << "]";
@@ -201,14 +192,13 @@ void write_csv(std::ostream& out, const Result& result)
 void write_json(std::ostream& out, const Result& result)
 {
   ordered_json json = {
-    {"format", "segment_mesh"}, {"version", 2}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
+    {"format", "segment_mesh"}, {"version", 3}, {"program", CGAL_REGION_SEGMENTATION_VERSION}};
   json["input"] = {{"name", result.name},
                    {"faces", result.input.soup.polygons.size()},
                    {"points", result.input.soup.points.size()}};
   json["settings"] = settings_json(result);
-  json["times"] = times_json(result.segmentation);
+  json["seconds"] = result.segmentation.seconds;
   add_details(result, json);
-  json["feature_lines"] = result.details.feature_lines();
   json["face_segments"] = array_json(result.segmentation.segment_of_face,
                                      [](std::size_t s) { return std::int64_t(s); });
   json["face_regions"] = result.segmentation.region_of_face;

@@ -20,13 +20,13 @@ namespace {
 class Vtp_file
 {
 public:
-  Vtp_file(std::ostream& out, std::size_t number_of_points, std::size_t number_of_lines,
-           std::size_t number_of_polygons)
+  Vtp_file(std::ostream& out, const Polygon_soup& soup)
     : m_text(out)
   {
     m_text << "<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n<Piece NumberOfPoints=\""
-           << number_of_points << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << number_of_lines
-           << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << number_of_polygons << "\">\n";
+           << soup.points.size()
+           << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+           << soup.polygons.size() << "\">\n";
   }
   ~Vtp_file() { m_text << "</Piece>\n</PolyData>\n</VTKFile>\n"; }
 
@@ -48,23 +48,6 @@ public:
     m_text << "</DataArray>\n";
   }
 
-  void add_points(const std::vector<Point>& points)
-  {
-    add("<Points>");
-    add("Float64", "Points", 3, points, [](const Point& p) { return p; });
-    add("</Points>");
-  }
-
-  /// `points(cell)` are the indices of the points of a cell.
-  template <typename Cells, typename Points>
-  void add_cells(const Cells& cells, const Points& points)
-  {
-    std::size_t end = 0;
-    add("Int64", "connectivity", 1, cells, points);
-    add("Int64", "offsets", 1, cells,
-        [&](const auto& cell) { return std::array{end += points(cell).size()}; });
-  }
-
 private:
   Text_buffer m_text;
 };
@@ -73,7 +56,7 @@ private:
 
 void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
 {
-  Vtp_file file(out, mesh.soup.points.size(), 0, mesh.soup.polygons.size());
+  Vtp_file file(out, mesh.soup);
   file.add("<CellData Scalars=\"segment\">");
   file.add("Int32", "segment", 1, mesh.segment_of_face,
            [](std::size_t segment) { return std::array{std::int64_t(segment)}; });
@@ -87,26 +70,14 @@ void write_vtp(std::ostream& out, const Labelled_mesh& mesh)
     file.add("UInt8", "point_color", 3, colors, bytes_of);
     file.add("</PointData>");
   }
-  file.add_points(mesh.soup.points);
-  file.add("<Polys>");
-  file.add_cells(mesh.soup.polygons, [](const Polygon_soup::Polygon& polygon) { return polygon; });
+  file.add("<Points>");
+  file.add("Float64", "Points", 3, mesh.soup.points, [](const Point& p) { return p; });
+  file.add("</Points>\n<Polys>");
+  std::size_t end = 0;
+  file.add("Int64", "connectivity", 1, mesh.soup.polygons, [](const auto& p) { return p; });
+  file.add("Int64", "offsets", 1, mesh.soup.polygons,
+           [&end](const auto& polygon) { return std::array{end += polygon.size()}; });
   file.add("</Polys>");
-}
-
-void write_borders_vtp(std::ostream& out, const std::vector<Point>& points,
-                       const std::vector<Border>& borders)
-{
-  Vtp_file file(out, points.size(), borders.size(), 0);
-  file.add("<CellData Scalars=\"left_segment\">");
-  for (std::size_t side : {0, 1})
-    file.add(
-      "Int32", side == 0 ? "left_segment" : "right_segment", 1, borders,
-      [side](const Border& border) { return std::array{std::int64_t(border.segments[side])}; });
-  file.add("</CellData>");
-  file.add_points(points);
-  file.add("<Lines>");
-  file.add_cells(borders, [](const Border& border) -> const Polyline& { return border.points; });
-  file.add("</Lines>");
 }
 
 } // namespace segment_mesh
