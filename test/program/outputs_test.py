@@ -69,7 +69,7 @@ def check_vtk(case):
         values = data.GetCellData().GetArray(name)
         return [tuple(map(int, values.GetTuple(i))) for i in range(values.GetNumberOfTuples())]
 
-    case.write("a.vtp", "a.ply", options=["--borders", "b.vtp", "--borders", "b.obj"])
+    case.write("a.vtp", "a.ply", options=["--borders", "b.obj"])
     data, points, faces = read(vtkXMLPolyDataReader(), "a.vtp")
     assert (points, faces) == (case.points, case.faces)
     assert array(data, "segment") == [(label,) for label in case.labels]
@@ -85,12 +85,15 @@ def check_vtk(case):
         for a, b in zip(face, face[1:] + face[:1]):
             sides[case.points[a], case.points[b]] = label
     expected = {(a, b) for (a, b), label in sides.items() if sides[b, a] != label}
-    data, points, lines = read(vtkXMLPolyDataReader(), "b.vtp")
+    statements = [line.split() for line in (case.folder / "b.obj").read_text().splitlines()]
+    points = [tuple(map(float, words[1:])) for words in statements if words[0] == "v"]
+    lines = [[int(i) - 1 for i in words[1:]] for words in statements if words[0] == "l"]
+    names = [words[1] for words in statements if words[0] == "g"]
     found = set()
-    for line, left, right in zip(lines, array(data, "left_segment"), array(data, "right_segment"), strict=True):
+    for line, name in zip(lines, names, strict=True):
         for a, b in zip(line, line[1:]):
             a, b = points[a], points[b]
-            assert (sides[a, b], sides[b, a]) == (*left, *right)
+            assert name == f"border_{sides[a, b]}_{sides[b, a]}"
             found |= {(a, b), (b, a)}
     assert found == expected and found
     assert sorted(points) == sorted({a for a, _ in found})
