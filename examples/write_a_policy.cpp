@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// User-defined data of regions, a cost, a policy and a chooser of the number: parts of a method of
-// superfacets.
+// A policy and a chooser of the number of one's own: parts of a method of superfacets. (The example
+// scalar.cpp has data and a cost of one's own.)
 
 #include "example_mesh.h"
 
@@ -13,52 +13,16 @@
 
 namespace RS = CGAL::Region_segmentation;
 
-/// A model of `RegionData`: in addition to area and perimeter, the integral of the normal.
-struct Region_with_normal : RS::Region_geometry
+/// A model of `GraphAnnotator` that adds nothing: sums over faces and adjacencies are in the graph
+/// already.
+struct No_annotation
 {
-  RS::Double_3 area_vector{0, 0, 0};
-
-  void add_face(const RS::Surface& surface, std::size_t face)
-  {
-    RS::Region_geometry::add_face(surface, face);
-    area_vector = area_vector + surface.area(face) * surface.normal(face);
-  }
-
-  void absorb(const Region_with_normal& other, const RS::Section_geometry& between)
-  {
-    RS::Region_geometry::absorb(other, between);
-    area_vector = area_vector + other.area_vector;
-  }
-};
-
-/// A model of `GraphAnnotator`: sums over faces and adjacencies are in the graph already, nothing
-/// is added.
-struct Normal_annotator
-{
-  using RegionData = Region_with_normal;
+  using RegionData = RS::Region_geometry;
   using SectionData = RS::Section_geometry;
 
   template <typename Graph>
   void operator()(Graph&, const RS::Surface&, const RS::Partition&, const RS::Region_rays&) const
   {}
-};
-
-/// A model of `SectionCost`: low between regions of similar normals, small ones, and across long
-/// sections.
-struct Normal_cost
-{
-  using RegionData = Region_with_normal; // what it reads: a method without these data does not
-                                         // compile
-  using SectionData = RS::Section_geometry;
-
-  template <typename Graph>
-  double operator()(const Graph& graph, typename Graph::section_descriptor s) const
-  {
-    const Region_with_normal &a = graph[graph.source(s)], &b = graph[graph.target(s)];
-    const double lengths = RS::norm(a.area_vector) * RS::norm(b.area_vector);
-    const double cosine = lengths > 0 ? RS::dot(a.area_vector, b.area_vector) / lengths : 1;
-    return (1.5 - cosine) * (std::min)(a.area, b.area) / graph[s].length;
-  }
 };
 
 /// A model of `MergingPolicy`: the flattest section of all goes next, whatever the wanted number of
@@ -114,14 +78,11 @@ int main(int argc, char** argv)
   Mesh mesh = read_mesh(argc, argv);
   auto segment_id = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
 
-  const RS::Superfacet_merging by_cost{Normal_annotator(), RS::Lowest_cost_first(Normal_cost()),
-                                       Largest_jump()};
-  std::cout << RS::segment(mesh, segment_id, RS::parameters::method(by_cost))
+  RS::Superfacet_merging method{No_annotation(), Flattest_first(), Largest_jump()};
+  method.superfacets = RS::Superfacets(200);
+  std::cout << RS::segment(mesh, segment_id, RS::parameters::method(method))
             << " segments chosen by the costs\n";
-  RS::Superfacet_merging by_policy{Normal_annotator(), Flattest_first(), Largest_jump()};
-  by_policy.superfacets = RS::Superfacets(200);
-  std::cout << RS::segment(mesh, segment_id,
-                           RS::parameters::number_of_segments(10).method(by_policy))
-            << " segments by a policy\n";
+  std::cout << RS::segment(mesh, segment_id, RS::parameters::number_of_segments(10).method(method))
+            << " segments asked for\n";
   write_colored(mesh, segment_id, "write_a_policy.ply");
 }

@@ -28,7 +28,7 @@ function(build_and_run kind)
   endforeach()
 endfunction()
 set(ENV{CGAL_DATA_DIR} ${package}/examples/Region_segmentation/data)
-build_and_run(examples machine_part_example partition_spectrally_example)
+build_and_run(examples machine_part_example write_a_method_example)
 build_and_run(test Partition_test)
 
 if(NOT EXISTS ${DOXYFILE})
