@@ -19,7 +19,7 @@ function flat(values, width, what) {
 }
 
 function facesOf(faces) {
-  if (Array.isArray(faces) && faces.length > 0 && isArray(faces[0]))
+  if (Array.isArray(faces) && faces.length > 0 && faces.every(isArray))
     return {corners: faces.flatMap(face => [...face]), sizes: faces.map(face => face.length)};
   const corners = flat(faces, 3, "faces: not an array of faces, nor of the indices of triangles");
   return {corners, sizes: new Uint32Array(corners.length / 3).fill(3)};
@@ -38,7 +38,7 @@ export class Segmenter {
   static async create(points, faces, {method = "learned", constrainedEdges = [], seeds = [],
     componentLinks = true} = {}) {
     const {corners, sizes} = facesOf(faces);
-    check(seeds.length === 0 || seeds.length === sizes.length,
+    check(isArray(seeds) && [0, sizes.length].includes(seeds.length) && seeds.every(Number.isInteger),
       "seeds: not an integer for each face, -1 for none");
     const request = {
       points: flat(points, 3, "points: not an array of 3 coordinates each"), corners, sizes,
@@ -47,7 +47,7 @@ export class Segmenter {
     };
     engine ??= makeEngine();
     const segmenter = new Segmenter();
-    segmenter.#prepared = valueOf((await engine).prepare(method, request));
+    segmenter.#prepared = valueOf((await engine).prepare(String(method), request));
     return segmenter;
   }
 

@@ -326,6 +326,35 @@ def test_colors():
     assert colors.dtype == numpy.uint8 and colors.tolist() == [[68, 119, 170], [96, 96, 96], [238, 102, 119], [68, 119, 170]]
 
 
+def test_show(monkeypatch):
+    """By PyVista, or by trimesh where that is missing."""
+    points, faces = grid(3, 1)
+    shown = []
+
+    class PolyData:
+        def __init__(self, points, faces):
+            shown.append(faces.reshape(-1, 4)[:, 1:])
+
+        def plot(self, scalars, rgb):
+            shown.append(scalars)
+
+    class Trimesh:
+        def __init__(self, points, faces, face_colors, process):
+            shown.extend([faces, face_colors])
+
+        def show(self):
+            pass
+
+    labels = numpy.arange(len(faces))
+    for module in SimpleNamespace(PolyData=PolyData), None:
+        monkeypatch.setitem(sys.modules, "pyvista", module)
+        monkeypatch.setitem(sys.modules, "trimesh", SimpleNamespace(Trimesh=Trimesh))
+        region_segmentation.show((points, faces), labels)
+    assert len(shown) == 4
+    for found_faces, colors in shown[:2], shown[2:]:
+        assert (found_faces == faces).all() and (colors == region_segmentation.colors(labels)).all()
+
+
 def test_examples_of_the_documentation():
     assert doctest.testmod(region_segmentation).failed == 0 < doctest.testmod(region_segmentation).attempted
 
@@ -370,7 +399,9 @@ LABELLED = ["segment_borders", "describe_segments", "close_segments", "smooth_bo
       for key, name in (("number_of_segments", "segment"), ("threads", "Segmenter"))
       for n, kind in ((0, ValueError), (-(10**30), ValueError), (2.5, TypeError), (True, TypeError), (numpy.True_, TypeError), ("2", TypeError))),
     (ValueError, "two-step needs the number", "segment", ((POINTS, FACES),), {"method": "two-step"}),
-    (ValueError, "method: not learned", "segment", ((POINTS, FACES),), {"method": "x"}),
+    *((ValueError, "method: not learned", "segment", ((POINTS, FACES),), {"method": method}) for method in ("x", None)),
+    (TypeError, "mesh: not a tuple", "segment", (None,), {}),
+    (TypeError, "tolerance: not a finite length", "segment", ((POINTS, FACES),), {"method": "smooth-faces", "tolerance": "1"}),
     (INVALID, "constrained edges: .* 0 and 9", "segment", ((POINTS, FACES),), {"constrained_edges": [[0, 9]]}),
     (INVALID, "constrained edges: index 16", "segment", ((POINTS, FACES),), {"constrained_edges": [[0, 16]]}),
     *((ValueError, "constrained_edges: not an array", "segment", ((POINTS, FACES),), {"constrained_edges": e}) for e in ([0, 1], [[0, 1, 2]])),
@@ -426,7 +457,8 @@ def test_threads():
     numbers = [int(subprocess.check_output([sys.executable, "-c", code, n], text=True)) for n in "12"]
     assert numbers[1] > numbers[0] or os.cpu_count() == 1
     mesh = grid(40, 1)
-    assert (segment(mesh, 5, threads=1) == segment(mesh, 5, threads=2)).all()
+    for threads in 2, 10**9:
+        assert (segment(mesh, 5, threads=1) == segment(mesh, 5, threads=threads)).all()
 
 
 FUNCTIONS = [("segment", {}), ("Segmenter", {}), ("find_part_faces", {}), ("smooth_borders", {"labels": numpy.arange(7200) // 9})]

@@ -35,10 +35,11 @@ Two squares at a right angle, each of two triangles:
 from __future__ import annotations
 
 import operator
+import os
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal, Optional, SupportsIndex, Union
+from typing import Any, Literal, Optional, SupportsFloat, SupportsIndex, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -144,7 +145,8 @@ def _corners_and_sizes(faces: Any) -> tuple[NDArray[Any], NDArray[Any]]:
     return np.delete(array, starts), array[starts]
 
 
-def _soup(mesh: Any) -> _core.Soup:
+def _arrays(mesh: Any) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Points, the corners of all faces, and how many each face has."""
     if isinstance(mesh, tuple) and len(mesh) == 2:
         points, faces = mesh
     else:
@@ -159,7 +161,11 @@ def _soup(mesh: Any) -> _core.Soup:
         raise TypeError("points: not an array of (n, 3) numbers")
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError("points: not an array of (n, 3) numbers")
-    return _core.Soup(points, *_corners_and_sizes(faces))
+    return points, *_corners_and_sizes(faces)
+
+
+def _soup(mesh: Any) -> _core.Soup:
+    return _core.Soup(*_arrays(mesh))
 
 
 def _integers(values: Any, shape: tuple[Any, ...], dtype: type, expected: str) -> NDArray[Any]:
@@ -190,8 +196,11 @@ def _count(name: str, value: Any) -> Optional[int]:
 
 
 def _length(name: str, value: Any) -> float:
-    if not 0 <= value < float("inf"):
-        raise ValueError(f"{name}: not a finite length of at least 0, but {value!r}")
+    expected = f"{name}: not a finite length of at least 0, but {value!r}"
+    if not isinstance(value, SupportsFloat):
+        raise TypeError(expected)
+    if not 0 <= float(value) < float("inf"):
+        raise ValueError(expected)
     return float(value)
 
 
@@ -203,9 +212,17 @@ class Segmenter:
     """A mesh that is prepared once, with the arguments of segment(), and segmented into any number in little time.
 
     Made without a mesh it is an estimator as of scikit-learn: fit() and fit_predict() take one.
+
+    Examples
+    --------
+    >>> points = [[0, 0, 1], [0, 1, 1], [1, 0, 0], [1, 1, 0], [2, 0, 1], [2, 1, 1]]
+    >>> segmenter = Segmenter((points, [[0, 2, 3, 1], [2, 4, 5, 3]]), method="smooth-faces")
+    >>> [segmenter.segment(k).tolist() for k in (1, 2)]
+    [[0, 0], [0, 1]]
     """
 
     labels_: Labels  # of the last segmentation
+    _fitted: Optional[_core.Segmenter] = None
 
     def __init__(
         self, mesh: Any = None, method: Method = "learned", constrained_edges: Optional[ArrayLike] = None,
@@ -214,10 +231,10 @@ class Segmenter:
     ) -> None:
         if tolerance is not None and method != "smooth-faces":
             raise ValueError("tolerance: only of the method smooth-faces")
-        self._method, self._tolerance = method, _length("tolerance", tolerance or 0)
+        self._method, self._tolerance = str(method), _length("tolerance", tolerance or 0)
         self._edges = np.empty((0, 2), int) if constrained_edges is None else constrained_edges
         self._seeds, self._component_links = seeds, component_links
-        self._threads, self._progress = _count("threads", threads) or 0, progress
+        self._threads, self._progress = min(_count("threads", threads) or 0, os.cpu_count() or 1), progress
         if mesh is not None:
             self.fit(mesh)
 
@@ -226,7 +243,7 @@ class Segmenter:
         soup = _soup(mesh)
         edges = _integers(self._edges, (None, 2), np.int64, "constrained_edges: not an array of (n, 2) indices")
         seeds = _labels(soup, np.full(len(soup), -1) if self._seeds is None else self._seeds, "seeds")
-        self._core = _core.Segmenter(
+        self._fitted = _core.Segmenter(
             soup, self._method, self._tolerance, edges, seeds, self._component_links, self._threads, self._progress)
         return self
 
@@ -237,7 +254,7 @@ class Segmenter:
     def segment(self, number_of_segments: Optional[int] = None) -> Labels:
         """The labels of a number of segments, as of the function segment."""
         number = _count("number_of_segments", number_of_segments)
-        self.labels_ = self._core.segment(number)
+        self.labels_ = self._prepared.segment(number)
         n = int(self.labels_.max(initial=-1)) + 1
         if number not in (None, n):
             warnings.warn(f"{n} segments: {number} are not possible", stacklevel=2)
@@ -246,12 +263,18 @@ class Segmenter:
     @property
     def regions(self) -> Labels:
         """What segments consist of: the region of each face, 0 to r - 1. Not with two-step."""
-        return self._core.regions()
+        return self._prepared.regions()
 
     @property
     def merges(self) -> list[tuple[int, int, float]]:
         """The merges of the regions in their order: (kept, removed, cost). Not with two-step."""
-        return self._core.merges()
+        return self._prepared.merges()
+
+    @property
+    def _prepared(self) -> _core.Segmenter:
+        if self._fitted is None:
+            raise ValueError("mesh: there is none before fit()")
+        return self._fitted
 
 
 def segment(
@@ -272,8 +295,8 @@ def segment(
     tolerance : of smooth-faces: how far vertices may be from their surfaces; by default found from the mesh.
     """
     segmenter = Segmenter(
-        mesh, method, constrained_edges, seeds, component_links, tolerance, threads=threads, progress=progress)
-    return segmenter.segment(number_of_segments)
+        None, method, constrained_edges, seeds, component_links, tolerance, threads=threads, progress=progress)
+    return segmenter.fit_predict(mesh, number_of_segments)
 
 
 def segment_borders(mesh: Any, labels: ArrayLike) -> NDArray[np.int64]:
@@ -297,6 +320,13 @@ def find_part_faces(
     """The faces of a machine part as its designer drew them: their labels, and a PartFace for each.
 
     Faces of the mesh of fewer than three different points have the label -1. The tolerance is that of segment().
+
+    Examples
+    --------
+    >>> points = [[0, 0, 1], [0, 1, 1], [1, 0, 0], [1, 1, 0], [2, 0, 1], [2, 1, 1]]
+    >>> labels, faces = find_part_faces((points, [[0, 2, 3, 1], [2, 4, 5, 3]]))
+    >>> labels.tolist(), [(face.surface.type, face.role, face.neighbors[0].is_smooth) for face in faces]
+    ([0, 1], [('plane', None, False), ('plane', None, False)])
     """
     labels, faces = _core.find_part_faces(_soup(mesh), _length("tolerance", tolerance or 0), progress)
     return labels, [PartFace(**_attributes(face, PartFaceNeighbor)) for face in faces]
@@ -306,6 +336,12 @@ def close_segments(mesh: Any, labels: ArrayLike, clearance: float = 0) -> list[S
     """A closed mesh for each segment, its faces and caps: see Solid. They fit together.
 
     clearance: the distance between the caps of two solids, for parts that are printed; 0 or more.
+
+    Examples
+    --------
+    >>> mesh = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    >>> [(solid.segment, len(solid.faces), solid.face_of_mesh.tolist()) for solid in close_segments(mesh, [0] * 4)]
+    [(0, 4, [0, 1, 2, 3])]
     """
     soup = _soup(mesh)
     closed = _core.close_segments(soup, _labels(soup, labels), _length("clearance", clearance))
@@ -337,5 +373,25 @@ def smooth_borders(mesh: Any, labels: ArrayLike, *, progress: Optional[Progress]
 
 
 def colors(labels: ArrayLike) -> NDArray[np.uint8]:
-    """A color of each face, of shape (m, 3), as in pictures and files of the program; dark gray for -1."""
+    """A color of each face, of shape (m, 3), as in pictures and files of the program; dark gray for -1.
+
+    Examples
+    --------
+    >>> colors([0, 1, -1]).tolist()
+    [[68, 119, 170], [238, 102, 119], [96, 96, 96]]
+    """
     return _core.colors(_integers(labels, (None,), np.int32, "labels: not an int32 for each face")).reshape(-1, 3)
+
+
+def show(mesh: Any, labels: ArrayLike) -> None:
+    """Opens a window with the mesh in the colors of its labels, by PyVista, or of triangles by trimesh."""
+    (points, corners, sizes), rgb = _arrays(mesh), colors(labels)
+    try:
+        import pyvista
+    except ImportError:
+        import trimesh
+
+        trimesh.Trimesh(points, corners.reshape(-1, 3), face_colors=rgb, process=False).show()
+    else:
+        padded = np.insert(corners, np.cumsum(sizes) - sizes, sizes)
+        pyvista.PolyData(points, padded).plot(scalars=rgb, rgb=True)
