@@ -151,40 +151,24 @@ val describe_nodes(const val& node_of_face)
   });
 }
 
-void write(std::ostream& out, const std::string& ending, const Labelled_mesh& mesh)
-{
-  if (ending == ".glb")
-    write_glb(out, mesh);
-  else if (ending == ".obj")
-    write_obj(out, mesh,
-              has_obj_materials(mesh.properties) ? mesh.properties.library->files
-                                                 : std::vector<std::string>());
-  else if (ending == ".off")
-    write_off(out, mesh);
-  else
-    write_ply(out, mesh);
-}
-
 /// The bytes of a file of the mesh, whose segments have these labels and the names that the page
-/// shows; or of the faces of one segment, if `part` is its label.
-val write_mesh(const std::string& ending, const val& labels, const val& names, const val& part)
+/// shows.
+val write_mesh(const std::string& ending, const val& labels, const val& names)
 {
   return answer([&] {
     const std::vector<std::size_t> segment_of_face = to_indices(labels);
+    const Mesh_properties& properties = opened->mesh.properties;
     const Labelled_mesh mesh = {opened->mesh.soup, segment_of_face,
-                                emscripten::vecFromJSArray<std::string>(names),
-                                opened->mesh.properties};
+                                emscripten::vecFromJSArray<std::string>(names), properties};
     std::ostringstream out;
-    if (part.isUndefined())
-      write(out, ending, mesh);
-    else {
-      const auto label = part.as<std::uint32_t>();
-      const std::vector<std::size_t> faces = faces_of_segments(segment_of_face)[label];
-      const Mesh_part written = extract_faces(mesh, faces);
-      write(out, ending,
-            {written.soup, std::vector<std::size_t>(faces.size(), label), mesh.names,
-             written.properties});
-    }
+    if (ending == ".obj")
+      write_obj(out, mesh,
+                has_obj_materials(properties) ? properties.library->files
+                                              : std::vector<std::string>());
+    else if (ending == ".off")
+      write_off(out, mesh);
+    else
+      write_ply(out, mesh);
     val result = val::object();
     result.set("bytes", to_bytes(out.str()));
     return result;

@@ -1,6 +1,6 @@
 "use strict";
 
-// A page with the library: opens meshes, segments them by other methods and with strokes, saves parts.
+// A page with the library: opens meshes, segments them by other methods and with strokes, saves them in colors.
 class LivePage extends Page {
   constructor() {
     super();
@@ -23,10 +23,9 @@ class LivePage extends Page {
       button.addEventListener("click", () => this.setTool(button.dataset.tool));
     document.querySelector("footer").insertAdjacentHTML("beforeend",
       `<button id="save-mesh" title="The mesh in the colors of its segments">Mesh</button>
-       <select id="format" aria-label="Format of meshes and parts">
-         <option>.ply</option><option>.glb</option><option>.obj</option><option>.off</option>
+       <select id="format" aria-label="Format of the mesh">
+         <option>.ply</option><option>.obj</option><option>.off</option>
        </select>`);
-    element("view").insertAdjacentHTML("afterend", '<div id="cross"></div>');
     element("save-mesh").addEventListener("click", () => this.saveMesh());
     element("method").addEventListener("change", () => this.changeMethod());
     element("cancel").addEventListener("click", () => this.engine.cancel());
@@ -99,7 +98,6 @@ class LivePage extends Page {
   numberFor(number) { return number === 0 && element("method").value === "two-step" ? (this.nodes || {length: 8}).length : number; }
 
   open(file) {
-    this.isPenDown = false;
     return this.work(async () => {
       const none = new Uint32Array();
       const result = await this.run(file, {number: this.numberFor(0), constraints: none, seeds: none});
@@ -161,25 +159,15 @@ class LivePage extends Page {
     this.paint();
   }
 
-  /// The mesh, or the part that a node is.
-  saveMesh(node) {
+  saveMesh() {
     const ending = element("format").value, names = this.nodes.map(n => this.nameOf(n));
-    const part = node === undefined ? undefined : this.indexOf(node);
     return this.work(async () => {
-      const {bytes} = await this.engine.run(this.file, "write", ending, this.labelsOfFaces(), names, part);
-      this.save(new Blob([bytes]), part === undefined ? ending : "_part_" + part + ending);
+      const {bytes} = await this.engine.run(this.file, "write", ending, this.labelsOfFaces(), names);
+      this.save(new Blob([bytes]), ending);
     });
   }
 
   labelsOfFaces() { return this.arrays.regions.map(region => this.segmentOfRegion[region]); }
-
-  actions(node) {
-    const actions = super.actions(node), button = document.createElement("button");
-    button.textContent = "Save part";
-    button.addEventListener("click", event => { event.stopPropagation(); this.saveMesh(node); });
-    actions.append(button);
-    return actions;
-  }
 
   // Strokes.
 
@@ -199,8 +187,6 @@ class LivePage extends Page {
       element("explosion").value = 0; // strokes are drawn on the mesh as it is
       this.explode();
     }
-    if (this.strokes) this.liftPen();
-    element("cross").classList.toggle("on", this.isDrawing);
   }
 
   click(node) {
@@ -234,44 +220,6 @@ class LivePage extends Page {
       this.view.controls.enabled = true;
       this.segmentWithStroke();
     });
-  }
-
-  /// By the keyboard, a pen in the middle of the picture draws while the mesh turns below it.
-  keyOfView(key) {
-    if (!this.isDrawing) return super.keyOfView(key);
-    if (key === " ") {
-      if (this.isPenDown) this.liftPen();
-      else if (!this.isBusy) this.lowerPen();
-      return true;
-    }
-    const steps = this.isPenDown ? 5 : 1; // small ones, so that no face is left out
-    let isKnown = false;
-    for (let i = 0; i < steps; ++i) {
-      isKnown = super.keyOfView(key, 1 / steps);
-      if (isKnown && this.isPenDown) this.drawBelowPen();
-    }
-    return isKnown;
-  }
-
-  lowerPen() {
-    this.strokes.begin(this.tool, false);
-    this.isPenDown = true;
-    element("cross").classList.add("down");
-    this.drawBelowPen();
-  }
-
-  drawBelowPen() {
-    const {clientWidth, clientHeight} = element("view"), middle = {x: clientWidth / 2, y: clientHeight / 2};
-    this.view.controls.update();
-    this.strokes.isStale = true;
-    this.strokes.add(middle, middle);
-  }
-
-  liftPen() {
-    if (!this.isPenDown) return;
-    this.isPenDown = false;
-    element("cross").classList.remove("down");
-    this.segmentWithStroke();
   }
 }
 

@@ -120,7 +120,7 @@ class Strokes {
     return Uint32Array.from(Array.from(seedOfFace).flat());
   }
 
-  /// The points of edges, two by two: the shortest way over edges through the points next to the lines.
+  /// The points of edges, two by two: the way over the fewest edges through the points next to the lines.
   constraints() {
     const ends = [];
     for (const {kind, places} of this.list) {
@@ -165,7 +165,6 @@ class Strokes {
 /// The edges of a mesh as a graph.
 class Edges {
   constructor({points, sizes, corners}) {
-    this.points = points;
     const pairs = [];
     let first = 0;
     for (const size of sizes) {
@@ -184,43 +183,18 @@ class Edges {
     }
   }
 
-  length(a, b) {
-    const {points} = this;
-    return Math.hypot(points[3 * a] - points[3 * b], points[3 * a + 1] - points[3 * b + 1], points[3 * a + 2] - points[3 * b + 2]);
-  }
-
-  /// The points of it, from one to the other; none if there is no way. By A*.
+  /// The points of the way over the fewest edges, from one to the other; none if there is no way.
   shortestWay(from, to) {
-    const distances = new Map([[from, 0]]), previous = new Map(), closed = new Set();
-    const open = [[this.length(from, to), from]]; // a heap
-    const isBefore = (i, j) => open[i][0] < open[j][0];
-    const swap = (i, j) => { [open[i], open[j]] = [open[j], open[i]]; };
-    const push = item => {
-      let i = open.push(item) - 1;
-      for (; i > 0 && isBefore(i, i - 1 >> 1); i = i - 1 >> 1) swap(i, i - 1 >> 1);
-    };
-    const pop = () => {
-      swap(0, open.length - 1);
-      const top = open.pop();
-      for (let i = 0, child = 1; child < open.length; i = child, child = 2 * i + 1) {
-        if (child + 1 < open.length && isBefore(child + 1, child)) ++child;
-        if (!isBefore(child, i)) break;
-        swap(i, child);
-      }
-      return top[1];
-    };
-    while (open.length > 0) {
-      const p = pop();
-      if (p === to) break;
-      if (closed.has(p)) continue;
-      closed.add(p);
-      for (let i = this.starts[p]; i < this.starts[p + 1]; ++i) {
-        const q = this.others[i], distance = distances.get(p) + this.length(p, q);
-        if (distances.has(q) && distances.get(q) <= distance) continue;
-        distances.set(q, distance);
-        previous.set(q, p);
-        push([distance + this.length(q, to), q]);
-      }
+    const previous = new Map([[from, from]]);
+    for (let front = [from]; front.length > 0 && !previous.has(to);) {
+      const next = [];
+      for (const p of front)
+        for (const q of this.others.subarray(this.starts[p], this.starts[p + 1]))
+          if (!previous.has(q)) {
+            previous.set(q, p);
+            next.push(q);
+          }
+      front = next;
     }
     const way = previous.has(to) ? [to] : [];
     while (way.length > 0 && way[0] !== from) way.unshift(previous.get(way[0]));

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <set>
 
@@ -324,24 +323,6 @@ TEST(Render_view, a_turned_mesh_looks_the_same_where_its_own_direction_is_up)
   EXPECT_NE(upright, picture({2, 1}, [](const Point& p) { return p; }));
 }
 
-/// The normal of the sliver is turned by 70 degrees.
-TEST(Render_view, a_sliver_is_no_speck)
-{
-  Polygon_soup soup;
-  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.503, 0.497, 0.012}};
-  soup.polygons = {{0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
-  View_options options = small_view();
-  options.viewpoint = front;
-  const Image image = render_view(soup, {0, 0, 0, 0}, options);
-  int least = 255, greatest = 0;
-  for (std::size_t y = 20; y < 100; ++y)
-    for (std::size_t x = 40; x < 120; ++x) {
-      least = (std::min)(least, int(image.at(x, y)[1]));
-      greatest = (std::max)(greatest, int(image.at(x, y)[1]));
-    }
-  EXPECT_LT(greatest - least, 6);
-}
-
 Point cielab(const Color& color)
 {
   Point linear;
@@ -369,13 +350,10 @@ TEST(Segment_colors, the_first_dozen_are_well_apart)
 
 TEST(Render_view, degenerate_meshes_do_no_harm)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), huge = 1.7e308;
+  constexpr double huge = 1.7e308;
   EXPECT_TRUE(is_empty(render_view({}, {}, small_view())));
   EXPECT_TRUE(is_empty(render_view({{{0, 0, 0}}, {}}, {}, small_view())));
   EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}}, {{0, 0, 0}}}, {7}, small_view())));
-  EXPECT_TRUE(is_empty(render_view({{{1, 1, 1}, {2, 2, 2}}, {{0, 1}}}, {7}, small_view())));
-  EXPECT_TRUE(
-    is_empty(render_view({{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {0}, small_view())));
   render_view({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, {0}, small_view());
 
   Polygon_soup cube = make_cube();
@@ -384,7 +362,7 @@ TEST(Render_view, degenerate_meshes_do_no_harm)
   EXPECT_EQ(visible_segments(render_view(cube, cube_labels, small_view()), 6).size(), 3u);
   View_options no_pixels;
   no_pixels.width = 0;
-  EXPECT_TRUE(render_view(make_cube(), cube_labels, {}, no_pixels).pixels.empty());
+  EXPECT_TRUE(render_view(make_cube(), cube_labels, no_pixels).pixels.empty());
 }
 
 } // namespace render_view_test

@@ -151,23 +151,16 @@ class MeshView {
     this.place();
   }
 
-  /// Where all that is not hidden is seen, with a margin.
+  /// Where the ball around the box of all that is not hidden is seen.
   place() {
-    const margin = 0.86, slope = margin * Math.tan(this.camera.fov / 2 * Math.PI / 180), aspect = this.camera.aspect;
-    const right = new THREE.Vector3().crossVectors(this.camera.up, this.toward);
-    const regions = this.geometry.getAttribute("region").array;
-    const isSeen = i => !this.isHidden || !this.isHidden[regions[i]];
-    this.center = this.centerOfView(isSeen);
-    this.controls.target.copy(this.center);
-    const p = new THREE.Vector3();
-    let distance = 0;
-    for (let i = 0; i < regions.length; ++i) {
-      if (!isSeen(i)) continue;
-      this.pointAt(i, p).sub(this.center);
-      const sideways = Math.max(Math.abs(p.dot(right)) / aspect, Math.abs(p.dot(this.camera.up)));
-      distance = Math.max(distance, p.dot(this.toward) + sideways / slope);
-    }
-    this.camera.position.copy(this.center).addScaledVector(this.toward, distance || 4 * this.radius);
+    const regions = this.geometry.getAttribute("region").array, box = new THREE.Box3(), p = new THREE.Vector3();
+    regions.forEach((region, i) => {
+      if (!this.isHidden || !this.isHidden[region]) box.expandByPoint(this.pointAt(i, p));
+    });
+    const {center, radius} = box.getBoundingSphere(new THREE.Sphere());
+    const distance = (radius || this.radius) / Math.sin(this.camera.fov / 2 * Math.PI / 180) / Math.min(1, this.camera.aspect);
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(this.toward, distance);
     this.isPlaced = true;
     this.areIdsStale = this.isStale = true;
   }
@@ -217,20 +210,6 @@ class MeshView {
   picture(take) {
     this.draw();
     this.canvas.toBlob(take, "image/png");
-  }
-
-  /// The center of the box whose sides are parallel to those of the picture.
-  centerOfView(isSeen) {
-    const {toward, camera: {up}} = this, axes = [new THREE.Vector3().crossVectors(up, toward), up, toward];
-    const p = new THREE.Vector3(), box = new THREE.Box3();
-    for (let i = 0; i < this.geometry.getAttribute("region").count; ++i) {
-      if (!isSeen(i)) continue;
-      this.pointAt(i, p);
-      box.expandByPoint(p.set(...axes.map(axis => p.dot(axis))));
-    }
-    const middle = box.isEmpty() ? p : box.getCenter(p), center = new THREE.Vector3();
-    axes.forEach((axis, i) => center.addScaledVector(axis, middle.getComponent(i)));
-    return center;
   }
 
   static makeGeometry(mesh) {

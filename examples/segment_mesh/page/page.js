@@ -561,9 +561,8 @@ class Page {
     return true;
   }
 
-  /// \param part of a step
-  keyOfView(key, part = 1) {
-    const angle = part * 5 * Math.PI / 180, factor = 0.9 ** part;
+  keyOfView(key) {
+    const angle = 5 * Math.PI / 180, factor = 0.9;
     const turns = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
     const zooms = {"+": factor, "=": factor, "-": 1 / factor};
     if (turns[key]) this.view.turn(...turns[key].map(x => x * angle));

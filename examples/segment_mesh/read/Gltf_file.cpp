@@ -186,9 +186,12 @@ Gltf_file::Json Gltf_file::list(const Json& object, const char* name)
 
 void Gltf_file::read_header()
 {
-  const std::string version = m_json.at("asset").at("version");
+  const Json& asset = m_json.at("asset");
+  const std::string version = asset.at("version"), least = asset.value("minVersion", "2.0");
   if (version.rfind("2.", 0) != 0)
     fail("is of glTF version " + in_quotes(version) + "; version 2 is read");
+  if (least != "2.0")
+    fail("needs glTF version " + in_quotes(least) + "; version 2.0 is read");
   for (const Json& extension : list(m_json, "extensionsRequired"))
     if (!is_harmless(extension))
       fail("needs " + gltf_extension_not_read(extension));
@@ -283,8 +286,9 @@ std::vector<double> Gltf_file::stored(const Json& place, const Json& format, std
     fail("elements that overlap: a byteStride of " + counted(stride, "byte"));
   if (buffer >= m_buffers.size() || m_buffers[buffer].empty())
     fail("has no data" + m_hint);
-  const std::string_view bytes = std::string_view(m_buffers[buffer])
-                                   .substr((std::min)(start, m_buffers[buffer].size()), length);
+  if (start > m_buffers[buffer].size() || length > m_buffers[buffer].size() - start)
+    fail("is in a part of a buffer that goes beyond its end");
+  const std::string_view bytes = std::string_view(m_buffers[buffer]).substr(start, length);
   if (count > 0 && (offset > bytes.size() || size > bytes.size() - offset ||
                     count - 1 > (bytes.size() - offset - size) / stride))
     fail("reaches beyond the end of its data");

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -273,23 +272,18 @@ private:
     std::size_t size = 0, most = 0;
     for (const std::string& buffer : m_gltf.buffers())
       most += buffer.size();
-    std::map<std::size_t, std::size_t> place_of_view;
     for (std::size_t i = 0; json.contains("images") && i < json["images"].size(); ++i) {
       Json& image = json["images"][i];
       const std::string uri = image.value("uri", ""); // fails if it is no text
       if (!image.contains("bufferView"))
         continue;
-      const std::size_t index = image["bufferView"];
-      const auto [place, is_new] = place_of_view.emplace(index, result.images.size());
-      image["bufferView"] = place->second;
-      const Json& view = m_gltf.json().at("bufferViews").at(index);
+      const Json& view = m_gltf.json().at("bufferViews").at(std::size_t(image["bufferView"]));
+      image["bufferView"] = result.images.size();
       const std::size_t buffer = view.at("buffer"),
                         start = view.value("byteOffset", std::size_t(0));
       const std::string_view bytes = buffer < m_gltf.buffers().size()
                                        ? std::string_view(m_gltf.buffers()[buffer])
                                        : std::string_view();
-      if (!is_new)
-        continue;
       result.images.emplace_back(
         bytes.substr((std::min)(start, bytes.size()), view.at("byteLength")));
       if ((size += result.images.back().size()) > most)

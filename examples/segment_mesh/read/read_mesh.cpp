@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 fs::path without_gz(const fs::path& file)
 {
-  return is_compressed(file.string()) ? file.parent_path() / file.stem() : file;
+  return ending_of(file.string()) == "gz" ? file.parent_path() / file.stem() : file;
 }
 
 /// Of points with the same coordinates keeps the first; those that are kept stay in order.
@@ -100,11 +100,6 @@ Mesh_format mesh_format(const std::string& file)
                             ", not " + endings_of_meshes());
 }
 
-bool is_compressed(const std::string& file)
-{
-  return ending_of(file) == "gz";
-}
-
 std::string stem_of_input(const std::string& file)
 {
   return file == standard_input ? "stdin" : without_gz(file).stem().string();
@@ -120,7 +115,10 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
                                                   : read_3mf;
   Input_mesh input = read(file, bytes);
   if (input.soup.polygons.empty())
-    throw Input_error(file, "no faces");
+    throw Input_error(file,
+                      input.soup.points.empty()
+                        ? "no faces"
+                        : "points, but no faces: a cloud, lines or strips are to be meshed first");
   input.properties.colors.finish(input.soup);
   input.properties.texture.finish(input.soup);
   if (format == Mesh_format::STL || format == Mesh_format::GLTF || format == Mesh_format::THREE_MF)

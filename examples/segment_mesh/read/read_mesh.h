@@ -38,9 +38,6 @@ std::string endings_of_meshes();
 /// one. \throws Input_error for another ending, and for standard input
 Mesh_format mesh_format(const std::string& file);
 
-/// Whether the ending is `.gz`.
-bool is_compressed(const std::string& file);
-
 /// The name of an input without folder and endings, `stdin` for standard input: what `{stem}`
 /// stands for.
 std::string stem_of_input(const std::string& file);
@@ -77,8 +74,7 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
 
 /// \name One function a format
 /// @{
-/// An item on each line, with normals and textures, which are skipped; or a stream of words as its
-/// header has it, of which colors are skipped, too. Also with the `OFF4 4 0` of some data sets.
+/// An item on each line, or a stream of words; normals, colors and textures are skipped. Also with the `OFF4 4 0` of some data sets.
 /// Lines beyond the numbers of the header are skipped, with a remark.
 Input_mesh read_off(const std::string& file, std::string_view bytes);
 /// Statements that are not of the format are skipped, with a remark.

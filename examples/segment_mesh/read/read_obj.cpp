@@ -17,11 +17,11 @@ namespace segment_mesh {
 namespace {
 
 constexpr std::string_view other_statements[] = {
-  "vn",     "vp",     "fo",       "l",        "p",    "s",          "mg",        "usemap",
-  "maplib", "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",
-  "stech",  "cstype", "deg",      "step",     "bmat", "curv",       "curv2",     "surf",
-  "parm",   "trim",   "hole",     "scrv",     "sp",   "end",        "con",       "bsp",
-  "bzp",    "cdc",    "cdp",      "res",      "call", "csh"};
+  "vn",     "vp",       "l",        "p",    "s",          "mg",        "usemap", "maplib",
+  "bevel",  "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",
+  "cstype", "deg",      "step",     "bmat", "curv",       "curv2",     "surf",   "parm",
+  "trim",   "hole",     "scrv",     "sp",   "end",        "con",       "bsp",    "bzp",
+  "cdc",    "cdp",      "res",      "call", "csh"};
 
 /// What is known of an OBJ file while it is read.
 class Obj_reader
@@ -40,7 +40,7 @@ public:
       const std::string_view statement = m_scan.word();
       if (is_word(statement, "v"))
         read_point();
-      else if (is_word(statement, "f"))
+      else if (is_word(statement, "f") || is_word(statement, "fo")) // its name in old files
         read_face();
       else if (is_word(statement, "vt"))
         read_texture_point();

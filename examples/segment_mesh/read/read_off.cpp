@@ -16,8 +16,7 @@ constexpr std::size_t least_vertex_size = 6, least_face_size = 8;
 
 struct Off_header
 {
-  bool has_normals, has_colors;
-  int number_of_values; // of a vertex: coordinates, normal, color, texture
+  int number_of_values; // of a vertex: coordinates, and normal, color, texture, which are skipped
   std::int64_t number_of_vertices, number_of_faces;
 };
 
@@ -55,12 +54,8 @@ Off_header read_header(Text_scanner& scan)
     header.number_of_values += is_there ? number_of_values : 0;
     return is_there;
   };
-  for (bool is_prefix = true; is_prefix;) { // in any order, as programs write them
-    const bool is_color = has("C", 4), is_normal = has("N", 3);
-    header.has_colors |= is_color;
-    header.has_normals |= is_normal;
-    is_prefix = is_color || is_normal || has("ST", 2);
-  }
+  while (has("C", 4) || has("N", 3) || has("ST", 2)) // in any order, as programs write them
+    continue;
   if (!skip("OFF", rest) || rest.find_first_not_of("0123456789") != std::string_view::npos)
     scan.fail("no OFF header, but " + in_quotes(keyword));
   const std::string_view first = rest.empty() ? scan.word_of_any_line() : rest;
@@ -95,11 +90,8 @@ public:
     while (soup.points.size() < number_of_vertices) {
       next_item(soup.points.size(), number_of_vertices, "vertex");
       soup.points.push_back(read_point());
-      if (m_layout == Off_layout::ITEMS_ON_LINES) {
-        if (m_header.has_colors)
-          input.properties.colors.values.push_back(read_color());
+      if (m_layout == Off_layout::ITEMS_ON_LINES)
         m_scan.skip_line();
-      }
     }
     while (soup.polygons.size() < number_of_faces) {
       next_item(soup.polygons.size(), number_of_faces, "face");
@@ -113,9 +105,6 @@ public:
       input.remarks.push_back(m_scan.not_read() + ": the header promises " +
                               counted(number_of_faces, "face"));
     }
-    for (Mesh_properties::Rgb& color : input.properties.colors.values)
-      for (float& channel : color) // from 0 to 1 if one of them has a fraction, else to 255
-        channel /= m_has_fractions ? 1 : 255;
     return input;
   }
 
@@ -151,20 +140,6 @@ private:
     return point;
   }
 
-  /// After coordinates and normal; 0 where there is none.
-  Mesh_properties::Rgb read_color()
-  {
-    for (int j = 0; m_header.has_normals && j < 3; ++j)
-      m_scan.word();
-    Mesh_properties::Rgb color{};
-    for (float& channel : color) {
-      const std::string_view word = m_scan.word();
-      m_has_fractions |= word.find_first_of(".eE") != std::string_view::npos;
-      channel = float(number_or_zero(word));
-    }
-    return color;
-  }
-
   void read_face(Polygons& polygons)
   {
     const std::int64_t size = m_scan.integer(m_scan.word(), "a number of vertices of a face");
@@ -183,7 +158,6 @@ private:
   Text_scanner m_scan;
   const Off_header m_header;
   const Off_layout m_layout;
-  bool m_has_fractions = false; // of colors
 };
 
 } // namespace

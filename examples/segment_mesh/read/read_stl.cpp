@@ -8,6 +8,8 @@
 #include "soup/vector_algebra.h"
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 
 namespace segment_mesh {
 
@@ -82,7 +84,7 @@ Input_mesh read_binary(const std::string& file, std::string_view bytes)
   return input;
 }
 
-/// The rest of a facet, after its first word. Words that are not due, as of colors, are skipped.
+/// The rest of a facet, after its first word. The normal, and the numbers of colors, are skipped.
 void read_facet(Text_scanner& scan, std::vector<Point>& points)
 {
   const auto due_word = [&scan] {
@@ -95,6 +97,14 @@ void read_facet(Text_scanner& scan, std::vector<Point>& points)
   for (std::string_view previous, word = due_word();
        !is_word(word, "endfacet") && !(is_word(previous, "end") && is_word(word, "facet"));
        previous = word, word = due_word()) {
+    constexpr std::string_view others[] = {"normal", "outer", "loop", "endloop", "end", "color"};
+    if (is_word(word, "normal"))
+      for (int i = 0; i < 3; ++i) // which may be nan
+        due_word();
+    else if (!is_word(word, "vertex") && std::isalpha(static_cast<unsigned char>(word.front())) &&
+             std::none_of(std::begin(others), std::end(others),
+                          [=](std::string_view other) { return is_word(word, other); }))
+      scan.fail(in_quotes(word) + " within a facet");
     if (!is_word(word, "vertex"))
       continue;
     if (++size > 3)

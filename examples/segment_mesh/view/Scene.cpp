@@ -97,15 +97,8 @@ void smooth_borders(Scene& scene)
 Scene make_scene(const Polygon_soup& soup, const std::vector<std::size_t>& labels)
 {
   Scene scene;
-  for (std::size_t f = 0; f < labels.size(); ++f) {
-    const Polygon_soup::Polygon polygon = soup.polygons[f];
-    if (polygon.size() < 3 || !std::all_of(polygon.begin(), polygon.end(), [&](std::size_t i) {
-          return is_finite(soup.points[i]);
-        }))
-      continue;
-    scene.soup.polygons.push_back(polygon);
-    scene.labels.push_back(labels[f]);
-  }
+  scene.soup.polygons = soup.polygons;
+  scene.labels = labels;
   take_points(soup.points, scene);
   return scene;
 }

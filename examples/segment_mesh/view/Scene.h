@@ -10,8 +10,8 @@
 
 namespace segment_mesh {
 
-/// What is drawn of a soup: the faces that can be, with the points of the soup moved and scaled
-/// into the unit ball, so that neither the size of the mesh nor its place matters.
+/// What is drawn of a soup: its faces, with the points moved and scaled into the unit ball, so that
+/// neither the size of the mesh nor its place matters.
 struct Scene
 {
   Polygon_soup soup;               ///< points without a face are at the origin
@@ -20,8 +20,7 @@ struct Scene
   double radius = 0;               ///< in the soup
 };
 
-/// Faces with fewer than three corners, or with a point that is not finite, are left out.
-/// \pre there are a label for each face and a point for each corner
+/// \pre there are a label for each face and a finite point for each corner
 Scene make_scene(const Polygon_soup& soup, const std::vector<std::size_t>& labels);
 
 /// Moves points between two borders, where the surface is smooth, along the surface, so that

@@ -14,8 +14,8 @@
 namespace segment_mesh {
 
 /// \name Meshes with a segment for each face
-/// They keep the colors of points; `.ply` and `.obj` also the sets of faces, by name, `.vtp` by
-/// number; `.obj` texture coordinates.
+/// `.ply`, `.obj` and `.vtp` keep the colors of points, and the sets of faces, by name, in `.vtp`
+/// by number; `.obj` texture coordinates.
 /// @{
 
 /// Binary, little endian: double coordinates; for each face its points, a color and an int

@@ -11,16 +11,10 @@ namespace segment_mesh {
 
 void write_off(std::ostream& out, const Labelled_mesh& mesh)
 {
-  const std::vector<Mesh_properties::Rgb> colors = colors_of_points(mesh);
   Text_buffer text(out);
-  text << (colors.empty() ? "OFF\n" : "COFF\n") << mesh.soup.points.size() << " "
-       << mesh.soup.polygons.size() << " 0\n";
-  for (std::size_t i = 0; i < mesh.soup.points.size(); ++i) {
-    write_numbers(text, "", mesh.soup.points[i]);
-    if (!colors.empty()) {
-      write_numbers(text, " ", bytes_of(colors[i]));
-      text << " 255"; // opaque
-    }
+  text << "OFF\n" << mesh.soup.points.size() << " " << mesh.soup.polygons.size() << " 0\n";
+  for (const Point& p : mesh.soup.points) {
+    write_numbers(text, "", p);
     text << "\n";
   }
   for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {

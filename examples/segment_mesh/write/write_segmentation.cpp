@@ -9,11 +9,6 @@
 #include "write/Whole_file.h"
 #include "write/write_mesh.h"
 
-#include <boost/iostreams/compose.hpp>
-#include <boost/iostreams/device/back_inserter.hpp>
-#include <boost/iostreams/filter/gzip.hpp>
-#include <boost/iostreams/filtering_stream.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -88,23 +83,6 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
   }
 }
 
-/// Writes the text of `write(stream)`, and compresses it if wanted. The compressed text is written
-/// at the end: a filter before a stream would not see that this fails.
-template <typename Write>
-void write_stream(std::ostream& out, Compression compression, const Write& write)
-{
-  if (compression == Compression::NONE) {
-    write(out);
-    return;
-  }
-  std::string compressed;
-  boost::iostreams::filtering_ostream compressor(boost::iostreams::gzip_compressor() |
-                                                 boost::iostreams::back_inserter(compressed));
-  write(compressor);
-  compressor.reset(); // it is complete
-  out.write(compressed.data(), std::streamsize(compressed.size()));
-}
-
 /// The names of files of materials of the input, as seen from an output.
 std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
 {
@@ -138,12 +116,10 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
     write_mtl(materials->stream(), mesh);
     names.push_back(one_line(std::filesystem::path(library).filename().string()));
   }
-  write_stream(file.stream(), output.compression, [&](std::ostream& out) {
-    if (output.content == Output_content::BORDERS)
-      write_borders(out, result);
-    else
-      write_segments(out, output, result, mesh, names);
-  });
+  if (output.content == Output_content::BORDERS)
+    write_borders(file.stream(), result);
+  else
+    write_segments(file.stream(), output, result, mesh, names);
   if (materials)
     materials->commit();
   file.commit();
@@ -153,7 +129,7 @@ Remarks write_solid(const Output& output, const Result& result)
 {
   const Step_text step = make_step(output, result);
   Whole_file file(output.file);
-  write_stream(file.stream(), output.compression, [&](std::ostream& out) { out << step.text; });
+  file.stream() << step.text;
   file.commit();
   return step.remarks;
 }
