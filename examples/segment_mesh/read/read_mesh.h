@@ -74,8 +74,9 @@ Input_mesh parse_mesh(const std::string& file, Mesh_format format, std::string_v
 
 /// \name One function a format
 /// @{
-/// An item on each line, or a stream of words; normals, colors and textures are skipped. Also with the `OFF4 4 0` of some data sets.
-/// Lines beyond the numbers of the header are skipped, with a remark.
+/// An item on each line, or a stream of words; normals, colors and textures are skipped. Also with
+/// the `OFF4 4 0` of some data sets. Lines beyond the numbers of the header are skipped, with a
+/// remark.
 Input_mesh read_off(const std::string& file, std::string_view bytes);
 /// Statements that are not of the format are skipped, with a remark.
 Input_mesh read_obj(const std::string& file, std::string_view bytes);
