@@ -92,6 +92,8 @@ test("errors name the place", async () => {
   assert.match(await error(points, faces, {method: "two-step"}), /needs the number of segments/);
   assert.match(await error(points, faces, {constrainedEdges: [[0, 13]]}), /no edge between points 0 and 13/);
   assert.match(await error(points, [0, 1, 1.5]), /index 1.5 is out of range/);
-  assert.match(await error(points, faces, {seeds: [1]}), /^seeds: not/);
+  for (const seeds of [[1], null, faces.map(() => 0.5)]) assert.match(await error(points, faces, {seeds}), /^seeds: not/);
+  for (const method of [null, 3]) assert.match(await error(points, faces, {method}), /^method: not/);
+  assert.match(await error(points, [[0, 1, 2], 3]), /^faces: not/);
   assert.equal(await error([[NaN, 0, 0], ...points.slice(1)], faces), "the point of vertex 0 is not finite");
 });
