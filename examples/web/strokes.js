@@ -27,7 +27,7 @@ class Strokes {
   setMesh(mesh) {
     this.mesh = mesh;
     this.list = [];
-    this.edges = null;
+    this.pointsAround = null;
     const {geometry} = this.view, numbers = new Float32Array(3 * this.view.facesOfTriangles.length);
     for (let c = 0; c < numbers.length; ++c) numbers[c] = c / 3 | 0;
     geometry.setAttribute("triangle", new THREE.BufferAttribute(numbers, 1));
@@ -128,7 +128,7 @@ class Strokes {
       const points = places.map(place => this.pointNextTo(place));
       for (let i = 1; i < points.length; ++i)
         if (points[i] !== points[i - 1]) {
-          const way = this.findEdges().shortestWay(points[i - 1], points[i]);
+          const way = this.shortestWay(points[i - 1], points[i]);
           for (let j = 1; j < way.length; ++j) ends.push(way[j - 1], way[j]);
         }
     }
@@ -141,9 +141,37 @@ class Strokes {
     return polygon.reduce((best, i) => distance(i) < distance(best) ? i : best);
   }
 
-  findEdges() {
-    if (!this.edges) this.edges = new Edges(this.mesh);
-    return this.edges;
+  /// The points that edges join with each point.
+  get neighbors() {
+    if (this.pointsAround) return this.pointsAround;
+    const {points, sizes, corners} = this.mesh;
+    this.pointsAround = Array.from({length: points.length / 3}, () => []);
+    sizes.forEach((size, face) => {
+      for (let i = 0; i < size; ++i) {
+        const a = corners[this.starts[face] + i], b = corners[this.starts[face] + (i + 1) % size];
+        this.pointsAround[a].push(b);
+        this.pointsAround[b].push(a);
+      }
+    });
+    return this.pointsAround;
+  }
+
+  /// The points of the way over the fewest edges, from one to the other; none if there is no way.
+  shortestWay(from, to) {
+    const previous = new Map([[from, from]]);
+    for (let front = [from]; front.length > 0 && !previous.has(to);) {
+      const next = [];
+      for (const p of front)
+        for (const q of this.neighbors[p])
+          if (!previous.has(q)) {
+            previous.set(q, p);
+            next.push(q);
+          }
+      front = next;
+    }
+    const way = previous.has(to) ? [to] : [];
+    while (way.length > 0 && way[0] !== from) way.unshift(previous.get(way[0]));
+    return way;
   }
 
   show() {
@@ -159,46 +187,6 @@ class Strokes {
     this.lift.value = 0.01 * this.view.radius;
     this.view.overlay.visible = positions.length > 0;
     this.view.isStale = true;
-  }
-}
-
-/// The edges of a mesh as a graph.
-class Edges {
-  constructor({points, sizes, corners}) {
-    const pairs = [];
-    let first = 0;
-    for (const size of sizes) {
-      for (let i = 0; i < size; ++i) pairs.push(corners[first + i], corners[first + (i + 1) % size]);
-      first += size;
-    }
-    // The ends of the edges at each point, in one array; of an edge between two faces twice.
-    this.starts = new Uint32Array(points.length / 3 + 1);
-    for (const p of pairs) ++this.starts[p + 1];
-    for (let p = 0; p + 1 < this.starts.length; ++p) this.starts[p + 1] += this.starts[p];
-    const ends = this.starts.slice();
-    this.others = new Uint32Array(pairs.length);
-    for (let i = 0; i < pairs.length; i += 2) {
-      this.others[ends[pairs[i]]++] = pairs[i + 1];
-      this.others[ends[pairs[i + 1]]++] = pairs[i];
-    }
-  }
-
-  /// The points of the way over the fewest edges, from one to the other; none if there is no way.
-  shortestWay(from, to) {
-    const previous = new Map([[from, from]]);
-    for (let front = [from]; front.length > 0 && !previous.has(to);) {
-      const next = [];
-      for (const p of front)
-        for (const q of this.others.subarray(this.starts[p], this.starts[p + 1]))
-          if (!previous.has(q)) {
-            previous.set(q, p);
-            next.push(q);
-          }
-      front = next;
-    }
-    const way = previous.has(to) ? [to] : [];
-    while (way.length > 0 && way[0] !== from) way.unshift(previous.get(way[0]));
-    return way;
   }
 }
 
