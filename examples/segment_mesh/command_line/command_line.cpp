@@ -113,6 +113,7 @@ void add_segmentation(CLI::App& app, Raw_options& raw)
   add_choice(app, "--constraints-from", raw.options.side_files.constraints_from, set_kinds);
   add_option(app, "--seeds", raw.options.side_files.seeds, "FILE");
   app.add_flag("--no-links");
+  app.add_flag("--smooth-borders");
   add_choice(app, "--features", raw.options.settings.features, features);
   add_option(app, "--max-angle", raw.options.settings.maximum_angle, "DEGREES");
   add_option(app, "--tolerance", raw.options.settings.tolerance, "DISTANCE");
@@ -246,8 +247,8 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
   if (app.count("--labels") > 0 && app.count("--labels-from") > 0)
     throw Usage_error("--labels-from: there are --labels, too");
   for (const char* labels : {"--labels", "--labels-from"})
-    for (const char* option :
-         {"--segments", "--method", "--no-links", "--constraints", "--constraints-from", "--seeds"})
+    for (const char* option : {"--segments", "--method", "--no-links", "--smooth-borders",
+                               "--constraints", "--constraints-from", "--seeds"})
       if (app.count(labels) > 0 && app.count(option) > 0)
         throw Usage_error(std::string(option) + ": with " + labels + " nothing is segmented");
 }
@@ -291,6 +292,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     options.settings.number_of_segments = whole_number("-k", raw.number_of_segments,
                                                        {1, number_of_faces});
   options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
+  if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
+    throw Usage_error("--smooth-borders: borders would move across faces with seeds");
   const double angle = options.settings.maximum_angle, tolerance = options.settings.tolerance;
   if (!(angle >= 0 && angle <= 180))
     throw Usage_error("--max-angle: an angle from 0 to 180 degrees");
@@ -298,6 +301,8 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     throw Usage_error("--tolerance: a finite distance, not negative");
   options.settings.links = app.count("--no-links") > 0 ? Component_links::NONE
                                                        : Component_links::FOUND;
+  options.settings.borders = app.count("--smooth-borders") > 0 ? Border_treatment::SMOOTHING
+                                                               : Border_treatment::NONE;
   options.view = checked_view(app, raw);
   options.verbosity = app.count("--quiet") > 0 ? Verbosity::QUIET : Verbosity::NORMAL;
   return options;

@@ -9,8 +9,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace segment_mesh {
@@ -18,7 +20,7 @@ namespace segment_mesh {
 namespace {
 
 /// What the reader makes of a property.
-enum class Ply_role { X, Y, Z, RED, GREEN, BLUE, CORNERS, NONE };
+enum class Ply_role { X, Y, Z, RED, GREEN, BLUE, U, V, CORNERS, TEXTURE, NONE };
 
 struct Ply_property
 {
@@ -50,6 +52,7 @@ struct Ply_header
   std::size_t format; // 0: text; 1 and 2: binary, little and big endian
   std::vector<Ply_element> elements;
   std::uint64_t number_of_vertices = 0;
+  std::vector<std::string> textures; // files, of comments
 };
 
 /// Of a vertex or a triangle in binary with numbers of one byte.
@@ -95,11 +98,15 @@ Ply_role role_of(const Ply_element& element, const std::string& property)
   if (element.is_vertex()) {
     const std::pair<const char*, Ply_role> roles[] = {
       {"x", Ply_role::X},     {"y", Ply_role::Y},         {"z", Ply_role::Z},
-      {"red", Ply_role::RED}, {"green", Ply_role::GREEN}, {"blue", Ply_role::BLUE}};
+      {"red", Ply_role::RED}, {"green", Ply_role::GREEN}, {"blue", Ply_role::BLUE},
+      {"u", Ply_role::U},     {"v", Ply_role::V},         {"s", Ply_role::U},
+      {"t", Ply_role::V},     {"texture_u", Ply_role::U}, {"texture_v", Ply_role::V}};
     for (const auto& [name, role] : roles)
       if (property == name)
         return role;
   }
+  if (element.is_face() && property == "texcoord")
+    return Ply_role::TEXTURE;
   if (element.is_face() && (property == "vertex_indices" || property == "vertex_index"))
     return Ply_role::CORNERS;
   return Ply_role::NONE;
@@ -123,7 +130,8 @@ Ply_property read_property(Text_scanner& scan, const Ply_element& element)
 
   property.role = role_of(element, property.name);
   const bool is_coordinate = property.role <= Ply_role::Z;
-  if (property.role < Ply_role::CORNERS && !is_coordinate && property.is_list)
+  if ((property.role < Ply_role::CORNERS && !is_coordinate && property.is_list) ||
+      (property.role == Ply_role::TEXTURE && !property.is_list))
     property.role = Ply_role::NONE;
   if (property.role == Ply_role::CORNERS) {
     if (!property.is_list || is_floating_point(property.type))
@@ -170,7 +178,10 @@ Ply_header read_header(const std::string& file, Text_scanner& scan)
       elements.push_back(read_element(scan));
     else if (is_word(keyword, "property") && !elements.empty())
       elements.back().properties.push_back(read_property(scan, elements.back()));
-    else if (!is_word(keyword, "comment") && !is_word(keyword, "obj_info"))
+    else if (is_word(keyword, "comment")) {
+      if (is_word(scan.word(), "texturefile"))
+        header.textures.emplace_back(scan.rest_of_line());
+    } else if (!is_word(keyword, "obj_info"))
       scan.fail("unknown line of a PLY header: " + in_quotes(keyword));
   }
   const auto found = std::find_if(std::begin(formats), std::end(formats),
@@ -215,12 +226,15 @@ public:
     for (const Ply_element& element : m_header.elements) {
       m_element = &element;
       reserve(element);
-      const bool is_vertex = element.is_vertex(), has_colors = element.has(Ply_role::RED);
+      const bool is_vertex = element.is_vertex(), has_colors = element.has(Ply_role::RED),
+                 has_texture = element.has(Ply_role::U) || element.has(Ply_role::TEXTURE);
       for (m_item = 0; m_item < element.count; ++m_item) {
         for (const Ply_property& property : element.properties)
           read_property(property);
         if (is_vertex)
-          end_vertex(has_colors);
+          end_vertex(has_colors, has_texture);
+        else if (has_texture)
+          end_face();
       }
     }
     const bool has_more = m_is_text ? m_scan.has_word() || m_scan.next_line() : !m_data.empty();
@@ -228,6 +242,9 @@ public:
       m_input.remarks.push_back(
         (m_is_text ? m_scan.not_read() : bytes_not_read(m_file, m_data.size()) + " at the end") +
         ": the header promises " + items_of(m_header.elements.back()));
+    if (!m_header.textures.empty())
+      m_input.properties.library = std::make_shared<Material_library>(Material_library{
+        std::filesystem::path(m_file).parent_path().string(), {}, m_header.textures, {}, {}});
     return std::move(m_input);
   }
 
@@ -299,7 +316,7 @@ private:
     return value;
   }
 
-  /// Of a color: 0 where it is not a finite number.
+  /// Of a color or texture: 0 where it is not a finite number.
   double number(const Ply_property& property)
   {
     return m_is_text ? number_or_zero(word()) : usable_value(take<double>(property.type));
@@ -335,6 +352,9 @@ private:
       read_face(property.type, size);
     else if (size < 0)
       fail("a list of " + std::to_string(size) + " values");
+    else if (property.role == Ply_role::TEXTURE)
+      for (std::int64_t i = 0; i < size; ++i)
+        m_texture.push_back(number(property));
     else if (property.role == Ply_role::NONE)
       skip(property.type, std::uint64_t(size));
     else
@@ -343,18 +363,37 @@ private:
                                                : number(property) / largest_color(property);
   }
 
-  /// What is 1 of a color.
+  /// What is 1 of a color; 1 of other values.
   static double largest_color(const Ply_property& property)
   {
-    return is_floating_point(property.type) ? 1 : size_of(property.type) == 1 ? 255 : 65535;
+    const bool is_color = property.role >= Ply_role::RED && property.role <= Ply_role::BLUE;
+    return !is_color || is_floating_point(property.type) ? 1
+           : size_of(property.type) == 1                 ? 255
+                                                         : 65535;
   }
 
-  void end_vertex(bool has_colors)
+  void end_vertex(bool has_colors, bool has_texture)
   {
-    const auto& [x, y, z, red, green, blue] = m_values;
+    const auto& [x, y, z, red, green, blue, u, v] = m_values;
     m_soup.points.push_back({x, y, z});
     if (has_colors)
       m_input.properties.colors.values.push_back({float(red), float(green), float(blue)});
+    if (has_texture)
+      m_input.properties.texture.values.push_back({u, v});
+  }
+
+  /// Of a face with texture coordinates: two numbers for each corner.
+  void end_face()
+  {
+    auto& [values, of_corner] = m_input.properties.texture;
+    const std::size_t end = m_soup.polygons.corners().size(),
+                      first = m_soup.polygons.first_corner(m_soup.polygons.size() - 1);
+    of_corner.resize(end, Corner_values<double>::none);
+    for (std::size_t i = 0; first + i < end && 2 * i + 1 < m_texture.size(); ++i) {
+      of_corner[first + i] = Polygons::Index(values.size());
+      values.push_back({m_texture[2 * i], m_texture[2 * i + 1]});
+    }
+    m_texture.clear();
   }
 
   void read_face(Number_type type, std::int64_t size)
@@ -382,7 +421,8 @@ private:
   std::uint64_t m_item = 0; // of that element, which is read
   Input_mesh m_input;
   Polygon_soup& m_soup = m_input.soup;
-  std::array<double, 6> m_values{}; // of a vertex, by `Ply_role`
+  std::array<double, 8> m_values{}; // of a vertex, by `Ply_role`
+  std::vector<double> m_texture;    // of a face
 };
 
 } // namespace

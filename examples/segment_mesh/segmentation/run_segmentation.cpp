@@ -2,20 +2,26 @@
 
 #include "segmentation/run_segmentation.h"
 
+#include "segmentation/Manifold.h"
+
 #include <CGAL/Region_segmentation/Graph/Number_range.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Superfacets/smooth_borders.h>
 #include <CGAL/Region_segmentation/Two_step/Two_step.h>
 #include <CGAL/Region_segmentation/segment.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <queue>
+#include <set>
 #include <type_traits>
 
 namespace segment_mesh {
@@ -23,6 +29,8 @@ namespace segment_mesh {
 namespace {
 
 namespace RS = CGAL::Region_segmentation;
+
+using Mesh = Manifold::Mesh;
 
 /// A `SegmentationVisitor` that hands on what it hears.
 struct Stage_listener
@@ -104,11 +112,8 @@ Segmentation segment_by(const SegmentationMethod& method, const Polygon_soup& so
   return result;
 }
 
-} // namespace
-
-Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
-                              const Segmentation_settings& settings,
-                              const Progress_listener& listener)
+Segmentation segment(const Polygon_soup& soup, const Marks& marks,
+                     const Segmentation_settings& settings, const Progress_listener& listener)
 {
   const auto by = [&](const auto& method) {
     return segment_by(method, soup, marks, settings, listener);
@@ -133,6 +138,86 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
     break;
   }
   return by(RS::Learned_merging());
+}
+
+/// The constrained edges, by coordinates: points of the soup may be several at one place.
+std::vector<char> constrained_edges(const Mesh& mesh, const Polygon_soup& soup, const Marks& marks)
+{
+  const auto sorted = [](std::array<Point, 2> ends) {
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  };
+  std::set<std::array<Point, 2>> edges;
+  for (const Vertex_pair& edge : marks.constrained_edges)
+    edges.insert(sorted({soup.points[edge[0]], soup.points[edge[1]]}));
+  const auto point = [&](auto v) {
+    return Point{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+  };
+  std::vector<char> result(mesh.number_of_edges());
+  for (const auto e : mesh.edges())
+    result[e] = edges.count(sorted({point(mesh.vertex(e, 0)), point(mesh.vertex(e, 1))})) > 0;
+  return result;
+}
+
+/// Gives each face whose segment is not that of its region the region of the nearest face, across
+/// edges, that stayed in its segment: so every region lies in one segment.
+void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_region,
+                  const std::vector<std::size_t>& segments, std::vector<std::size_t>& regions)
+{
+  const auto has_moved = [&](std::size_t f) {
+    return segment_of_region[regions[f]] != segments[f];
+  };
+  std::queue<Mesh::Face_index> front;
+  for (const auto f : mesh.faces())
+    if (!has_moved(f))
+      front.push(f);
+  for (; !front.empty(); front.pop()) {
+    const auto f = front.front();
+    for (const auto g : CGAL::faces_around_face(mesh.halfedge(f), mesh))
+      if (g != Mesh::null_face() && has_moved(g) && segments[g] == segments[f]) {
+        regions[g] = regions[f];
+        front.push(g);
+      }
+  }
+}
+
+/// Moves the borders between the segments by minimum cuts, on `make_manifold()` of the soup.
+void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener,
+                    Segmentation& segmentation)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Manifold manifold = make_manifold(soup);
+  const std::vector<char> is_constrained = constrained_edges(manifold.mesh, soup, marks);
+  std::vector<std::size_t> segments = manifold.values_of_mesh_faces(segmentation.segment_of_face),
+                           regions = manifold.values_of_mesh_faces(segmentation.region_of_face),
+                           segment_of_region(segmentation.number_of_regions);
+  for (std::size_t f = 0; f < segmentation.region_of_face.size(); ++f)
+    segment_of_region[segmentation.region_of_face[f]] = segmentation.segment_of_face[f];
+  Stage_listener visitor{listener};
+  RS::smooth_borders<CGAL::Parallel_if_available_tag>(
+    manifold.mesh, face_map(manifold.mesh, segments), {},
+    RS::parameters::visitor(std::ref(visitor))
+      .edge_is_constrained_map(boost::make_iterator_property_map(
+        is_constrained.begin(), get(boost::edge_index, manifold.mesh))));
+  nest_regions(manifold.mesh, segment_of_region, segments, regions);
+  for (std::size_t f = 0; f < manifold.face_of_mesh_face.size(); ++f) {
+    segmentation.segment_of_face[manifold.face_of_mesh_face[f]] = segments[f];
+    segmentation.region_of_face[manifold.face_of_mesh_face[f]] = regions[f];
+  }
+  segmentation.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+                            .count();
+}
+
+} // namespace
+
+Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
+                              const Segmentation_settings& settings,
+                              const Progress_listener& listener)
+{
+  Segmentation result = segment(soup, marks, settings, listener);
+  if (settings.borders == Border_treatment::SMOOTHING)
+    smooth_borders(soup, marks, listener, result);
+  return result;
 }
 
 Segmentation segmentation_from_labels(const std::vector<std::int64_t>& labels)

@@ -37,6 +37,9 @@ constexpr const char* method_names[] = {"two-step", "visibility", "learned", "sm
 /// The names of `Feature_convexity`, in their order.
 constexpr const char* feature_names[] = {"convex", "concave", "all"};
 
+/// What becomes of the borders that a method gives.
+enum class Border_treatment { NONE, SMOOTHING };
+
 /// Whether components that touch or are near each other are adjacent.
 enum class Component_links { NONE, FOUND };
 
@@ -50,6 +53,7 @@ struct Segmentation_settings
     features = CGAL::Region_segmentation::Feature_convexity::CONCAVE;
   double maximum_angle = CGAL::Region_segmentation::default_maximum_angle; ///< the same, in degrees
   double tolerance = 0; ///< of `SMOOTH_FACES`, in units of the mesh; 0: found from the mesh
+  Border_treatment borders = Border_treatment::NONE;
   Component_links links = Component_links::FOUND;
 };
 

@@ -74,11 +74,12 @@ struct Corner_values
 /// The materials themselves, as their file has them.
 struct Material_library
 {
-  std::string folder;              ///< of the file, which names of files start from
-  std::vector<std::string> files;  ///< of OBJ: .mtl
-  std::string gltf;                ///< of glTF: `materials` and what they refer to, as JSON; an
-                                   ///< image's `bufferView` is its place in `images`
-  std::vector<std::string> images; ///< bytes
+  std::string folder;                ///< of the file, which names of files start from
+  std::vector<std::string> files;    ///< of OBJ: .mtl
+  std::vector<std::string> textures; ///< of PLY: the files of images
+  std::string gltf;                  ///< of glTF: `materials` and what they refer to, as JSON; an
+                                     ///< image's `bufferView` is its place in `images`
+  std::vector<std::string> images;   ///< bytes
 };
 
 /// What a file says of a mesh beside its points and faces. What it does not have is empty.

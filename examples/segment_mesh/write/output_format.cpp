@@ -78,7 +78,10 @@ std::string material_library(const Output& output)
   if (output.format != Output_format::OBJ || output.content == Output_content::BORDERS ||
       is_written_directly(output.file))
     return "";
-  return std::filesystem::path(output.file).replace_extension(".mtl").string();
+  std::filesystem::path file = output.file;
+  if (output.compression != Compression::NONE)
+    file.replace_extension();
+  return file.replace_extension(".mtl").string();
 }
 
 Output make_output(const std::string& text, Output_content content)
@@ -86,8 +89,13 @@ Output make_output(const std::string& text, Output_content content)
   const std::size_t colon = (std::min)(text.find(':'), text.size());
   std::optional<Output_format> format = format_of_word(text.substr(0, colon));
   const std::string file = format && colon < text.size() ? text.substr(colon + 1) : text;
-  Output output{names_stdout(file) ? standard_output : file, Output_format::SEG, content};
-  const std::filesystem::path name = file;
+  Output output{names_stdout(file) ? standard_output : file, Output_format::SEG, content,
+                Compression::NONE};
+  std::filesystem::path name = file;
+  if (ending_of(file) == "gz") {
+    output.compression = Compression::GZIP;
+    name.replace_extension();
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(name, ignored))
     throw Usage_error(file + ": is a folder; a file in it is named as " +

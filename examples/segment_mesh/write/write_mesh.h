@@ -15,12 +15,14 @@ namespace segment_mesh {
 
 /// \name Meshes with a segment for each face
 /// `.ply`, `.obj` and `.vtp` keep the colors of points, and the sets of faces, by name, in `.vtp`
-/// by number; `.obj` texture coordinates.
+/// by number; `.ply` and `.obj` texture coordinates.
 /// @{
 
 /// Binary, little endian: double coordinates; for each face its points, a color and an int
-/// `segment`; for each kind of sets an int, whose names are in comments.
-void write_ply(std::ostream& out, const Labelled_mesh& mesh);
+/// `segment`; for each kind of sets an int, whose names are in comments. `textures`: the names of
+/// image files
+void write_ply(std::ostream& out, const Labelled_mesh& mesh,
+               const std::vector<std::string>& textures = {});
 
 /// Colored faces: red, green and blue from 0 to 255 after the indices.
 void write_off(std::ostream& out, const Labelled_mesh& mesh);

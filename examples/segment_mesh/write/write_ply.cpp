@@ -20,11 +20,36 @@ bool has_large_face(const Polygon_soup& soup)
                      [](const Polygon_soup::Polygon& polygon) { return polygon.size() > 255; });
 }
 
-std::string ply_header(const Labelled_mesh& mesh)
+/// Texture coordinates as those of points, or empty if some points have several.
+std::vector<Mesh_properties::Texture_point> texture_of_points(const Labelled_mesh& mesh)
+{
+  const auto& texture = mesh.properties.texture;
+  if (texture.empty())
+    return {};
+  std::vector<Mesh_properties::Texture_point> result = texture.of_points(mesh.soup, {});
+  const std::vector<Polygons::Index>& corners = mesh.soup.polygons.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (texture.at(i, {}) != result[corners[i]])
+      return {};
+  return result;
+}
+
+/// The properties that vertices and faces have.
+struct Ply_layout
+{
+  std::vector<Mesh_properties::Rgb> colors;            // of points
+  std::vector<Mesh_properties::Texture_point> texture; // of points
+  bool has_wide_sizes, has_texture_of_faces;
+};
+
+std::string ply_header(const Labelled_mesh& mesh, const Ply_layout& layout,
+                       const std::vector<std::string>& textures)
 {
   const Mesh_properties& properties = mesh.properties;
   const std::string color = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   std::string comments, sets;
+  for (const std::string& texture : textures)
+    comments += one_line("comment TextureFile " + texture) + "\n";
   for (Set_kind kind : properties.kinds()) {
     const std::vector<std::string>& names = *properties.of(kind).names;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -35,10 +60,13 @@ std::string ply_header(const Labelled_mesh& mesh)
   return "ply\nformat binary_little_endian 1.0\n" + comments + "element vertex " +
          std::to_string(mesh.soup.points.size()) +
          "\nproperty double x\nproperty double y\nproperty double z\n" +
-         (properties.colors.empty() ? "" : color) + "element face " +
+         (layout.colors.empty() ? "" : color) +
+         (layout.texture.empty() ? "" : "property float s\nproperty float t\n") + "element face " +
          std::to_string(mesh.soup.polygons.size()) + "\nproperty list " +
-         (has_large_face(mesh.soup) ? "uint" : "uchar") + " int vertex_indices\n" + color +
-         "property int segment\n" + sets + "end_header\n";
+         (layout.has_wide_sizes ? "uint" : "uchar") + " int vertex_indices\n" + color +
+         "property int segment\n" + sets +
+         (layout.has_texture_of_faces ? "property list uint float texcoord\n" : "") +
+         "end_header\n";
 }
 
 void append_color(std::string& bytes, const Color& color)
@@ -47,22 +75,33 @@ void append_color(std::string& bytes, const Color& color)
     append_little_endian(bytes, channel);
 }
 
+void append_point(std::string& bytes, const Mesh_properties::Texture_point& point)
+{
+  for (double coordinate : point)
+    append_little_endian(bytes, float(coordinate));
+}
+
 } // namespace
 
-void write_ply(std::ostream& out, const Labelled_mesh& mesh)
+void write_ply(std::ostream& out, const Labelled_mesh& mesh,
+               const std::vector<std::string>& textures)
 {
-  const std::vector<Mesh_properties::Rgb> colors = colors_of_points(mesh);
-  const bool has_wide_sizes = has_large_face(mesh.soup);
-  std::string bytes = ply_header(mesh);
+  const Mesh_properties& properties = mesh.properties;
+  Ply_layout layout = {colors_of_points(mesh), texture_of_points(mesh), has_large_face(mesh.soup),
+                       false};
+  layout.has_texture_of_faces = !properties.texture.empty() && layout.texture.empty();
+  std::string bytes = ply_header(mesh, layout, textures);
   for (std::size_t i = 0; i < mesh.soup.points.size(); ++i) {
     for (double coordinate : mesh.soup.points[i])
       append_little_endian(bytes, coordinate);
-    if (!colors.empty())
-      append_color(bytes, bytes_of(colors[i]));
+    if (!layout.colors.empty())
+      append_color(bytes, bytes_of(layout.colors[i]));
+    if (!layout.texture.empty())
+      append_point(bytes, layout.texture[i]);
   }
-  for (std::size_t f = 0; f < mesh.soup.polygons.size(); ++f) {
+  for (std::size_t f = 0, corner = 0; f < mesh.soup.polygons.size(); ++f) {
     const Polygon_soup::Polygon& polygon = mesh.soup.polygons[f];
-    if (has_wide_sizes)
+    if (layout.has_wide_sizes)
       append_little_endian(bytes, std::uint32_t(polygon.size()));
     else
       append_little_endian(bytes, std::uint8_t(polygon.size()));
@@ -70,9 +109,14 @@ void write_ply(std::ostream& out, const Labelled_mesh& mesh)
       append_little_endian(bytes, std::int32_t(i));
     append_color(bytes, segment_color(mesh.segment_of_face[f]));
     append_little_endian(bytes, std::int32_t(mesh.segment_of_face[f]));
-    for (const Face_sets& sets : mesh.properties.sets)
+    for (const Face_sets& sets : properties.sets)
       if (!sets.empty())
         append_little_endian(bytes, std::int32_t(sets.set_of_face[f]));
+    if (!layout.has_texture_of_faces)
+      continue;
+    append_little_endian(bytes, std::uint32_t(2 * polygon.size()));
+    for (const std::size_t end = corner + polygon.size(); corner < end; ++corner)
+      append_point(bytes, properties.texture.at(corner, {}));
   }
   out.write(bytes.data(), std::streamsize(bytes.size()));
 }

@@ -9,6 +9,11 @@
 #include "write/Whole_file.h"
 #include "write/write_mesh.h"
 
+#include <boost/iostreams/compose.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/filter/gzip.hpp>
+#include <boost/iostreams/filtering_stream.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -46,7 +51,7 @@ std::string folder_of(const Output& output)
 }
 
 /// A mesh, the whole or a part of `result`; or, in a format that is not of meshes, all of `result`.
-/// `materials`: the names of the files of those of .obj
+/// `materials`: the names of the files of those of .obj, of images of .ply
 void write_segments(std::ostream& out, const Output& output, const Result& result,
                     const Labelled_mesh& mesh, const std::vector<std::string>& materials)
 {
@@ -54,7 +59,7 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
   case Output_format::SEG:
     return write_seg(out, result);
   case Output_format::PLY:
-    return write_ply(out, mesh);
+    return write_ply(out, mesh, materials);
   case Output_format::OFF:
     return write_off(out, mesh);
   case Output_format::OBJ:
@@ -83,12 +88,31 @@ void write_segments(std::ostream& out, const Output& output, const Result& resul
   }
 }
 
-/// The names of files of materials of the input, as seen from an output.
-std::vector<std::string> files_of_input(const Output& output, const Mesh_properties& properties)
+/// Writes the text of `write(stream)`, and compresses it if wanted. The compressed text is written
+/// at the end: a filter before a stream would not see that this fails.
+template <typename Write>
+void write_stream(std::ostream& out, Compression compression, const Write& write)
+{
+  if (compression == Compression::NONE) {
+    write(out);
+    return;
+  }
+  std::string compressed;
+  boost::iostreams::filtering_ostream compressor(boost::iostreams::gzip_compressor() |
+                                                 boost::iostreams::back_inserter(compressed));
+  write(compressor);
+  compressor.reset(); // it is complete
+  out.write(compressed.data(), std::streamsize(compressed.size()));
+}
+
+/// The names of files of materials or images of the input, as seen from an output.
+std::vector<std::string>
+files_of_input(const Output& output, const Mesh_properties& properties,
+               std::vector<std::string> Material_library::*files = &Material_library::files)
 {
   std::vector<std::string> names;
   if (properties.library)
-    for (const std::string& name : properties.library->files)
+    for (const std::string& name : properties.library.get()->*files)
       names.push_back(one_line(relative_name(properties.library->folder, name, folder_of(output))));
   return names;
 }
@@ -108,7 +132,9 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
   Whole_file file(output.file);
   std::optional<Whole_file> materials;
   std::vector<std::string> names;
-  if (has_obj_materials(mesh.properties))
+  if (output.format == Output_format::PLY)
+    names = files_of_input(output, mesh.properties, &Material_library::textures);
+  else if (has_obj_materials(mesh.properties))
     names = files_of_input(output, mesh.properties);
   else if (const std::string library = material_library(output); !library.empty()) {
     check_library(library, output, result);
@@ -116,10 +142,12 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
     write_mtl(materials->stream(), mesh);
     names.push_back(one_line(std::filesystem::path(library).filename().string()));
   }
-  if (output.content == Output_content::BORDERS)
-    write_borders(file.stream(), result);
-  else
-    write_segments(file.stream(), output, result, mesh, names);
+  write_stream(file.stream(), output.compression, [&](std::ostream& out) {
+    if (output.content == Output_content::BORDERS)
+      write_borders(out, result);
+    else
+      write_segments(out, output, result, mesh, names);
+  });
   if (materials)
     materials->commit();
   file.commit();
@@ -129,7 +157,7 @@ Remarks write_solid(const Output& output, const Result& result)
 {
   const Step_text step = make_step(output, result);
   Whole_file file(output.file);
-  file.stream() << step.text;
+  write_stream(file.stream(), output.compression, [&](std::ostream& out) { out << step.text; });
   file.commit();
   return step.remarks;
 }

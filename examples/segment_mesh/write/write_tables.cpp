@@ -83,7 +83,8 @@ ordered_json settings_json(const Result& result)
   const Segmentation_settings& settings = result.settings;
   ordered_json json = {{"method", method_names[std::size_t(settings.method)]},
                        {"segments", nullptr},
-                       {"links", settings.links == Component_links::FOUND}};
+                       {"links", settings.links == Component_links::FOUND},
+                       {"smooth_borders", settings.borders == Border_treatment::SMOOTHING}};
   if (settings.number_of_segments)
     json["segments"] = *settings.number_of_segments;
   if (!result.side_files.constraints.empty())
