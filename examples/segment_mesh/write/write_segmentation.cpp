@@ -9,12 +9,10 @@
 #include "write/Whole_file.h"
 #include "write/write_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace segment_mesh {
 
