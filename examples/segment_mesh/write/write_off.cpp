@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <ostream>
-#include <vector>
 
 namespace segment_mesh {
 

@@ -14,12 +14,10 @@
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace segment_mesh {
 
