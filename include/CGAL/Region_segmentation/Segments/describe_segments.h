@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_fitted = 6000; // corners; errors are those of all
+  static constexpr std::size_t most_fitted = 1000; // corners; errors are those of all
   static constexpr double rounding = 1e-12;        // the misfit of points on a plane
   static constexpr double tolerance = 1e-4;        // misfits below are as good as none
   static constexpr double worthwhile = 0.8; // what another parameter multiplies the misfit with
@@ -321,7 +321,7 @@ private:
 /// A plane, a sphere, a cylinder and a cone are fitted to the corners of the faces, weighted by
 /// area. The axis of a cylinder or cone that the normals determine, and the least algebraic
 /// distance, give a start, from which Levenberg and Marquardt's method minimizes the mean square
-/// distance; of more than 6000 corners, at most 6000 are fitted, spread evenly. The plane is exact,
+/// distance; of more than 1000 corners, at most 1000 are fitted, spread evenly. The plane is exact,
 /// the other minima are local. The misfit of a primitive is the root mean square distance of the
 /// corners and of the middles of the faces together, since corners on two circles alone could be
 /// those of a sphere. From the simplest to the most complex, a primitive replaces the previous

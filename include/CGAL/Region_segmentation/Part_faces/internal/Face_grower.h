@@ -104,7 +104,6 @@ public:
   const std::vector<Index>& faces() const { return m_taken.faces(); }
   bool is_taken(Index face) const { return m_taken.has(face); }
   const std::vector<Double_3>& points() const { return m_taken.points(); }
-  double area() const { return m_taken.area(); }
 
 private:
   void take_if_on(const Fitted_surface<>& s, Index face)

@@ -40,10 +40,8 @@ struct Face_search
     , is_sure(tessellation.number_of_facets())
     , is_freeform(tessellation.number_of_facets(), 0)
   {
-    constexpr std::size_t fewest_vertices = 6;
     for (Index i = 0; i < is_sure.size(); ++i)
-      is_sure[i] = mesh.facet(i).number_of_vertices >= fewest_vertices &&
-                   stands_alone(i, Tessellation::smooth_angle);
+      is_sure[i] = stands_alone(i, Tessellation::smooth_angle);
   }
 
   bool is_found(Index face) const { return labels[face] != none; }

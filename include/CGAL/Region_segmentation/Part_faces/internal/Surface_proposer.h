@@ -64,10 +64,12 @@ public:
   }
 
   /// Returns the root mean square distance of the best surface, infinity if there is none.
-  double operator()(Surface_kind kind, Fitted_surface<>& best) const
+  /// \param wanted see `Surface_fitter`
+  double operator()(Surface_kind kind, double wanted, Fitted_surface<>& best) const
   {
     constexpr std::size_t most_tried = 3;
-    constexpr int iterations = 30, slow_iterations = 6; // tori converge slowly
+    constexpr int iterations = 30;
+    const int slow_iterations = kind == Surface_kind::TORUS ? 6 : 3; // tori converge slowly
     double least = std::numeric_limits<double>::infinity();
     if (int(m_points.size()) <= degrees_of_freedom(kind))
       return least;
@@ -79,7 +81,7 @@ public:
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     initial.resize((std::min)(initial.size(), most_tried));
     for (auto& candidate : initial) {
-      const double error = m_fitter(candidate.second, iterations, slow_iterations);
+      const double error = m_fitter(candidate.second, iterations, slow_iterations, wanted);
       if (error < least) {
         least = error;
         best = candidate.second;

@@ -100,7 +100,8 @@ private:
     double best_gain = 0;
     for (const Surface_kind kind : kinds_of_surfaces) {
       Fitted_surface<> s;
-      if (kind == Surface_kind::PLANE || propose(kind, s) > largest_error(fitted, kind) ||
+      const double largest = largest_error(fitted, kind);
+      if (kind == Surface_kind::PLANE || propose(kind, largest, s) > largest ||
           largest_distance(s, m_patch.points()) > m_mesh.tolerance())
         continue;
       orient(s);

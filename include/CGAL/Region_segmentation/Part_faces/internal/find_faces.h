@@ -124,7 +124,6 @@ inline void separate_components(Face_search& search, const Execution& execution)
 inline void find_labels(Face_search& search, const Execution& execution)
 {
   find_curved_faces(search, execution.step(0, 0.8));
-  Equal_surfaces(search).merge();
   drop_osculating_surfaces(search);
   add_planes(search);
   compete_at_borders(search);

@@ -215,14 +215,23 @@ public:
 
   /// Returns the root mean square distance, infinity if the fit leads to no surface.
   /// \param slow_iterations in a row, of which none improves much, after which the fit ends
-  double operator()(Fitted_surface<>& s, int iterations = 15, int slow_iterations = 3) const
+  /// \param wanted the greatest distance that is of use: the fit ends early if its linearization
+  ///        tells that it stays far above
+  double operator()(Fitted_surface<>& s, int iterations, int slow_iterations = 3,
+                    double wanted = std::numeric_limits<double>::infinity()) const
   {
+    constexpr int first_foreseen = 2; // iteration
+    constexpr double far_above = 100;
     anchor(s);
     Normal_equations best = equations(s);
     double damping = 1e-3;
     int slow = 0;
-    for (int i = 0; i < iterations && rms(best) > m_stop && slow < slow_iterations; ++i) {
-      const Fitted_surface<> next = Surface_derivatives(s).moved(step(best, damping));
+    for (int i = 0; i < iterations && rms(best.cost) > m_stop && slow < slow_iterations; ++i) {
+      const Positive_definite<Surface_matrix> matrix(damped(best.a, damping));
+      if (i >= first_foreseen && rms(best.cost - matrix.inverse_form(best.b)) > far_above * wanted)
+        break;
+      const Fitted_surface<> next = Surface_derivatives(s).moved(
+        matrix.solve(Surface_vector(-best.b)));
       const Normal_equations e = equations(next);
       if (e.cost < best.cost) {
         slow = e.cost > 0.8 * best.cost ? slow + 1 : 0;
@@ -234,7 +243,7 @@ public:
         damping = 10 * damping;
       }
     }
-    return normalized(s) ? rms(best) : std::numeric_limits<double>::infinity();
+    return normalized(s) ? rms(best.cost) : std::numeric_limits<double>::infinity();
   }
 
   /// The sum of the products of the derivatives.
@@ -261,7 +270,7 @@ private:
 
   double weight(std::size_t i) const { return m_weights.empty() ? 1 : m_weights[i]; }
 
-  double rms(const Normal_equations& e) const { return std::sqrt(e.cost / m_weight); }
+  double rms(double cost) const { return std::sqrt(cost / m_weight); }
 
   /// Moves the point of a plane, cylinder or cone next to the points; the fit is well conditioned
   /// there.
@@ -290,12 +299,11 @@ private:
     return result;
   }
 
-  Surface_vector step(const Normal_equations& e, double damping) const
+  static Surface_matrix damped(Surface_matrix a, double damping)
   {
-    Surface_matrix a = e.a;
     for (int i = 0; i < 7; ++i)
       a(i, i) = a(i, i) * (1 + damping) + (a(i, i) > 0 ? 0 : 1);
-    return solve_positive_definite(a, Surface_vector(-e.b));
+    return a;
   }
 
   /// Brings the parameters into their ranges. Returns whether the surface is one.

@@ -136,17 +136,6 @@ Grown_border border_of_grown(const Tessellation& mesh, const Face_grower& grower
   return result;
 }
 
-/// Whether the faces that were grown are more than planes beside each other, or mostly one plane,
-/// with the first facets of the fillets beside it.
-inline bool has_facets(const Tessellation& mesh, const Face_grower& grower)
-{
-  constexpr double most = 0.6; // of the area
-  for (const auto& [facet, area] : mesh.facets_of(grower.faces()))
-    if (area > most * grower.area())
-      return false;
-  return true;
-}
-
 /// Whether the surface on which faces lie is more than a coincidence: the number of lines of
 /// vertices, and of ends where it is tangent to the faces beside it, as a fillet is, is at least 5,
 /// of a sphere 4. There always is a circle through 3 of them, and one through 4 by symmetry. A
@@ -156,8 +145,6 @@ inline bool is_evident(const Tessellation& mesh, const Face_grower& grower,
 {
   constexpr double of_step = 0.15;
   constexpr int fewest_surplus = 3; // points
-  if (!has_facets(mesh, grower))
-    return false;
   const bool is_ruled = s.kind == Surface_kind::CYLINDER || s.kind == Surface_kind::CONE;
   const int fewest = s.kind == Surface_kind::SPHERE ? 4 : 5;
   const Profile_lines lines(s, grower.points(), mesh.tolerance());

@@ -189,7 +189,8 @@ inline double error_of_fit(const Surface& surface, Face_set& patch, Surface::Ind
   for (const Surface_kind kind : kinds_of_surfaces) {
     Fitted_surface<> s;
     const double n = double(patch.points().size()), worth = kind > Surface_kind::CYLINDER ? 0.8 : 1;
-    const double rms = propose(kind, s) * std::sqrt(n / (n - degrees_of_freedom(kind)));
+    const double rms = propose(kind, most * size, s) *
+                       std::sqrt(n / (n - degrees_of_freedom(kind)));
     if (rms < worth * error) {
       error = rms;
       best = s;

@@ -139,7 +139,7 @@ private:
   {
     const double largest = Surface_patches::maximum_area * m_surface.area(),
                  radius = Surface_patches::maximum_radius * m_surface.length_unit();
-    std::vector<std::pair<Index, double>> firsts; // by patch: its first face, and its area so far
+    Large_array<std::pair<Index, double>> firsts; // by patch: its first face, and its area so far
     Partition::Numbers patch_of(m_surface.number_of_faces());
     for (Index f = 0, a = 0; f < patch_of.size(); ++f) {
       const Element e = face(f);
@@ -238,7 +238,7 @@ private:
   static Large_array<Element> sums(const Partition& joined, const ElementOf& element_of)
   {
     Large_array<Element> result;
-    std::vector<Double_3> firsts; // the centroids of the first elements
+    Large_array<Double_3> firsts; // the centroids of the first elements
     result.reserve(joined.number_of_parts());
     firsts.reserve(joined.number_of_parts());
     for (std::size_t i = 0; i < joined.size(); ++i) {

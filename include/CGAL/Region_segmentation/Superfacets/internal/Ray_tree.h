@@ -77,7 +77,9 @@ struct Ray
 };
 
 /// Finds the face that a ray hits first from inside the body, by a tree of the boxes of patches:
-/// the coarse ones of a mesh of few faces, else the fine ones. Rays pass through crumbs.
+/// the coarse ones of a mesh of few faces, else the fine ones. (With the fine ones of a torus of
+/// 60,000 faces the default takes 1.2 times as long, with the coarse ones of a Loop-subdivided
+/// elephant of 356,000 faces 1.4 times.) Rays pass through crumbs.
 ///
 /// Construction takes O(F + P log P) for P patches, a ray O(log P + F / P) in practice.
 class Ray_tree
@@ -98,7 +100,7 @@ public:
     : m_surface(surface)
     , m_origin(origin)
   {
-    constexpr std::size_t few_faces = std::size_t(1) << 19;
+    constexpr std::size_t few_faces = std::size_t(1) << 17;
     const Partition &fine = patches.fine.of_elements(), &coarse = patches.coarse.of_elements();
     const bool are_few = surface.number_of_faces() <= few_faces;
     const auto leaf_of = [&](std::size_t f) { return are_few ? coarse[fine[f]] : fine[f]; };
