@@ -12,6 +12,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
+#include <BRepLib_CheckCurveOnSurface.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <ShapeFix_Edge.hxx>
@@ -62,7 +63,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      m_surfaces[face] = projector(simple_surface(m_faces.surfaces[face]));
+      m_surfaces[face] = projector(simple_surface(with_axis(face)));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -122,9 +123,51 @@ Surfaces Trimmed_faces::simple_surfaces(const std::set<std::size_t>& faces) cons
 {
   Surfaces result;
   for (const std::size_t face : faces)
-    if (face != none && !is_freeform(face))
+    if (!is_freeform(face))
       result.push_back(m_surfaces[face]);
   return result;
+}
+
+/// The surface of a face. The axis of a sphere may be any: the first one, of the directions of
+/// neighbors and of others, whose poles are not near the border of the face, and whose seam crosses
+/// it at most once.
+Fitted_surface Trimmed_faces::with_axis(std::size_t face) const
+{
+  constexpr int number_of_others = 100;
+  Fitted_surface result = m_faces.surfaces[face];
+  if (result.kind != RS::Surface_kind::SPHERE)
+    return result;
+  std::vector<Kernel::Vector_3> candidates;
+  for (Halfedge h : m_border_halfedges[face])
+    if (const std::size_t other = label(opposite(h, m_mesh)); !is_freeform(other))
+      candidates.push_back(m_faces.surfaces[other].direction);
+  for (int i = 0; i < number_of_others; ++i) { // on a spiral from pole to pole
+    const double z = (i + 0.5) / number_of_others, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+    candidates.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  }
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const auto& axis) {
+    return can_be_axis(gp_Dir(axis.x(), axis.y(), axis.z()), face);
+  });
+  if (found != candidates.end())
+    result.direction = *found;
+  return result;
+}
+
+bool Trimmed_faces::can_be_axis(const gp_Dir& axis, std::size_t face) const
+{
+  constexpr double farthest = 0.98; // of a point of the border along the axis, of the radius
+  const gp_Vec seam(seam_direction(axis)), beside = gp_Vec(axis) ^ seam;
+  const Fitted_surface& s = m_faces.surfaces[face];
+  int crossings = 0;
+  for (Halfedge h : m_border_halfedges[face]) {
+    const gp_Vec from(point_of(s.point), source_point(h)),
+      to(point_of(s.point), source_point(next(h, m_mesh)));
+    if (std::fabs(from.Dot(axis)) > farthest * s.radius)
+      return false;
+    if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
+      ++crossings;
+  }
+  return crossings <= 1;
 }
 
 /// Whether the normals of the surface point into the part.
@@ -203,16 +246,34 @@ void Trimmed_faces::make_edges()
       make_edge({middle, chain.end()}, false);
     }
   }
-  for (Halfedge h : halfedges(m_mesh))
-    if (is_border(opposite(h, m_mesh), m_mesh))
-      make_edge({h}, false);
+}
+
+/// The surfaces to both sides of a border that its curve is on.
+Surfaces Trimmed_faces::surfaces_along(Halfedge h) const
+{
+  const std::set<std::size_t> sides{label(h), label(opposite(h, m_mesh))};
+  for (const std::size_t face : sides)
+    // A facet that is nearly tangent to its neighbor meets its surface elsewhere.
+    if (m_faces.is_facet[face])
+      return {};
+  return simple_surfaces(sides);
+}
+
+/// How far the points of a border may be from its curve.
+double Trimmed_faces::tolerance_along(Halfedge h) const
+{
+  double result = 1e-6 * m_size;
+  for (const std::size_t face : {label(h), label(opposite(h, m_mesh))})
+    result = (std::max)(result, 2 * m_faces.surfaces[face].deviation);
+  return result;
 }
 
 void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
 {
+  const Surfaces surfaces = surfaces_along(chain.front());
   Points points;
   for (Halfedge h : chain)
-    points.push_back(source_point(h));
+    points.push_back(nearest_point(surfaces, source_point(h)));
   points.push_back(points.front());
   TopoDS_Vertex first, last;
   if (!is_closed) {
@@ -221,7 +282,7 @@ void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
     points.front() = BRep_Tool::Pnt(first);
     points.back() = BRep_Tool::Pnt(last);
   }
-  const Border_curve border = curve(chain, points);
+  const Border_curve border = make_curve(points, surfaces, tolerance_along(chain.front()));
   if (is_closed) {
     m_builder.MakeVertex(first, border.piece.curve->Value(border.piece.first), precision);
     last = first;
@@ -239,20 +300,6 @@ void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
     m_pieces[chain[i]] = {border.piece.curve, from, to};
     m_pieces[opposite(chain[i], m_mesh)] = {border.piece.curve, to, from};
   }
-}
-
-Border_curve Trimmed_faces::curve(const Halfedges& chain, const Points& points) const
-{
-  const std::set<std::size_t> sides{label(chain.front()), label(opposite(chain.front(), m_mesh))};
-  double tolerance = 1e-6 * m_size;
-  bool is_straight = false;
-  for (const std::size_t face : sides)
-    if (face != none) {
-      tolerance = (std::max)(tolerance, 2 * m_faces.surfaces[face].deviation);
-      // A facet that is nearly tangent to its neighbor meets its surface elsewhere.
-      is_straight = is_straight || m_faces.is_facet[face];
-    }
-  return make_curve(points, is_straight ? Surfaces() : simple_surfaces(sides), tolerance);
 }
 
 TopoDS_Shape Trimmed_faces::make_face(std::size_t face)
@@ -287,7 +334,6 @@ try {
 void Trimmed_faces::set_tolerances()
 {
   constexpr double margin = 1.1; // OpenCASCADE measures at other points
-  constexpr int samples = 8;
   for (TopoDS_Shape& shape : m_shapes)
     try {
       if (!shape.IsNull())
@@ -295,15 +341,15 @@ void Trimmed_faces::set_tolerances()
     } catch (const Standard_Failure&) {
       shape.Nullify();
     }
-  for (std::size_t i = 0; i < m_shapes.size(); ++i)
-    for (TopExp_Explorer edges(m_shapes[i], TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
-      Curve_piece piece;
-      piece.curve = BRep_Tool::Curve(edge, piece.first, piece.last);
-      if (!piece.curve.IsNull())
-        m_builder.UpdateEdge(edge, margin * (std::max)(BRep_Tool::Tolerance(edge),
-                                                       gap(piece, {m_surfaces[i]}, samples)));
-    }
+  for (const TopoDS_Shape& shape : m_shapes)
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+      for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+        BRepLib_CheckCurveOnSurface check(edge, TopoDS::Face(faces.Current()));
+        check.Perform();
+        if (check.IsDone() && check.MaxDistance() > BRep_Tool::Tolerance(edge))
+          m_builder.UpdateEdge(edge, margin * check.MaxDistance());
+      }
   for (const TopoDS_Shape& shape : m_shapes)
     if (!shape.IsNull())
       BRepLib::UpdateTolerances(shape);
