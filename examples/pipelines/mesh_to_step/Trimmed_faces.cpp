@@ -15,9 +15,14 @@
 #include <BRepLib_CheckCurveOnSurface.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Face.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -80,7 +85,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
 
 bool Trimmed_faces::is_right(std::size_t face) const
 {
-  constexpr double tolerance = 0.01, precision_of_area = 1e-4; // of the area
+  constexpr double tolerance = 0.05, precision_of_area = 1e-4; // of the area
   const TopoDS_Shape& shape = m_shapes[face];
   if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
     return false;
@@ -175,12 +180,14 @@ bool Trimmed_faces::is_inside_out(std::size_t face) const
 {
   if (!is_freeform(face))
     return m_faces.surfaces[face].side < 0;
-  double sum = 0;
+  double sum = 0; // twice the area of the triangles in the parameters
   for (auto f : m_triangles[face]) {
     const Halfedge h = halfedge(f, m_mesh);
-    const gp_Pnt a = source_point(h), b = source_point(next(h, m_mesh)),
-                 c = source_point(prev(h, m_mesh));
-    sum += (gp_Vec(a, b) ^ gp_Vec(a, c)).Dot(foot(m_surfaces[face], a).normal);
+    const auto parameters = [&](Halfedge side) {
+      return parameters_of_foot(m_surfaces[face], source_point(side)).XY();
+    };
+    const gp_XY a = parameters(h);
+    sum += (parameters(next(h, m_mesh)) - a) ^ (parameters(prev(h, m_mesh)) - a);
   }
   return sum < 0;
 }
@@ -302,6 +309,27 @@ void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
   }
 }
 
+/// Gives an edge its curve in the parameters of a freeform surface. (That of OpenCASCADE misses
+/// nearest points.)
+void Trimmed_faces::add_parameter_curve(const TopoDS_Edge& edge, std::size_t face)
+{
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  const int n = spline.IsNull() ? 24 : 3 * spline->NbKnots();
+  const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, n + 1);
+  const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, n + 1);
+  for (int i = 0; i <= n; ++i) {
+    const double t = first + (last - first) * i / n;
+    parameters->SetValue(i + 1, t);
+    points->SetValue(i + 1, parameters_of_foot(m_surfaces[face], curve->Value(t)));
+  }
+  Geom2dAPI_Interpolate interpolate(points, parameters, false, 1e-12);
+  interpolate.Perform();
+  m_builder.UpdateEdge(edge, interpolate.Curve(), m_surfaces[face]->Surface(), TopLoc_Location(),
+                       precision);
+}
+
 TopoDS_Shape Trimmed_faces::make_face(std::size_t face)
 try {
   const Handle(Geom_Surface) surface = m_surfaces[face]->Surface();
@@ -312,8 +340,11 @@ try {
     TopoDS_Wire wire;
     m_builder.MakeWire(wire);
     for (Halfedge h : loop)
-      if (const auto edge = m_edges.find(h); edge != m_edges.end())
+      if (const auto edge = m_edges.find(h); edge != m_edges.end()) {
+        if (is_freeform(face))
+          add_parameter_curve(edge->second, face);
         m_builder.Add(wire, is_reversed ? edge->second.Reversed() : edge->second);
+      }
     wire.Closed(true);
     m_builder.Add(trimmed, wire);
   }

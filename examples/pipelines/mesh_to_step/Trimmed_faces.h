@@ -67,6 +67,7 @@ private:
   void make_edge(const Halfedges& chain, bool is_closed);
   Surfaces surfaces_along(Halfedge h) const;
   double tolerance_along(Halfedge h) const;
+  void add_parameter_curve(const TopoDS_Edge& edge, std::size_t face);
   TopoDS_Shape make_face(std::size_t face);
   void set_tolerances();
   void measure_triangles();

@@ -76,11 +76,13 @@ Vector spine_point(const Shape& s, const Vector& p)
   return s.point();
 }
 
-/// A relation, and a function of both surfaces that is 0 where it holds.
+/// A function of two surfaces that is 0 where a relation of them holds.
+using Residual = std::function<Eigen::VectorXd(const Shape&, const Shape&)>;
+
 struct Relation
 {
   Relation_of_faces name;
-  std::function<Eigen::VectorXd(const Shape&, const Shape&)> residual;
+  Residual residual;
 };
 
 Eigen::VectorXd number(double x)
@@ -143,6 +145,13 @@ Eigen::MatrixXd derivatives(const Function& f, std::vector<Shape> shapes)
   return result;
 }
 
+/// The derivatives of a residual: by the numbers of the first surface, and by those of the second.
+Eigen::MatrixXd slopes_of(const Residual& residual, const Shape& first, const Shape& second)
+{
+  return derivatives([&](const std::vector<Shape>& s) { return residual(s[0], s[1]); },
+                     {first, second});
+}
+
 /// The surfaces of a part, the points that they were fitted to, and their relations.
 class Design
 {
@@ -162,7 +171,6 @@ public:
 private:
   using Matrix = Eigen::Matrix<double, size_of_shape, size_of_shape>;
   using Faces = std::vector<std::size_t>;
-  using Residual = Eigen::VectorXd (*)(const Shape&, const Shape&);
 
   Shape shape(const Fitted_surface& s) const;
   double deviation(std::size_t face) const;
@@ -171,11 +179,12 @@ private:
   void linearize();
   double error_of_points() const;
   bool add(const std::string& name, std::size_t first, std::size_t second,
-           const std::function<Eigen::VectorXd(const Shape&, const Shape&)>& residual);
+           const Residual& residual);
   bool add_to_one(const std::string& name, const Faces& firsts, std::size_t second,
-                  Residual residual);
+                  const Residual& residual);
   void find_directions(const Faces& by_area);
   void find_tangent_faces();
+  Eigen::VectorXd move() const;
 
   const Part_faces& m_faces;
   Vector m_center;
@@ -268,15 +277,13 @@ double Design::error_of_points() const
 
 /// Adds a relation that holds within four standard errors.
 bool Design::add(const std::string& name, std::size_t first, std::size_t second,
-                 const std::function<Eigen::VectorXd(const Shape&, const Shape&)>& residual)
+                 const Residual& residual)
 {
   constexpr double errors = 4, rounding = 1e-8, most = 0.01;
   const Eigen::VectorXd r = residual(m_shapes[first], m_shapes[second]);
   if (r.cwiseAbs().maxCoeff() > most)
     return false;
-  const Eigen::MatrixXd by_numbers = derivatives(
-    [&](const std::vector<Shape>& s) { return residual(s[0], s[1]); },
-    {m_shapes[first], m_shapes[second]});
+  const Eigen::MatrixXd by_numbers = slopes_of(residual, m_shapes[first], m_shapes[second]);
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(r.size());
   for (const auto& [face, column] : {std::make_pair(first, 0), {second, size_of_shape}}) {
     const Eigen::MatrixXd slopes = by_numbers.middleCols(column, size_of_shape);
@@ -291,7 +298,7 @@ bool Design::add(const std::string& name, std::size_t first, std::size_t second,
 
 /// Adds the relation to the first face that has it; returns whether one has.
 bool Design::add_to_one(const std::string& name, const Faces& firsts, std::size_t second,
-                        Residual residual)
+                        const Residual& residual)
 {
   return std::any_of(firsts.begin(), firsts.end(),
                      [&](std::size_t first) { return add(name, first, second, residual); });
@@ -371,44 +378,52 @@ void Design::find_relations()
   find_tangent_faces();
 }
 
-void Design::solve()
+/// The move of all numbers by which the linear equations of distances and of relations, these of a
+/// large weight, have least squares.
+Eigen::VectorXd Design::move() const
 {
   constexpr double weight = 1e8; // of the square of a residual
-  constexpr int steps = 8;
   const auto n = Eigen::Index(m_shapes.size()) * size_of_shape;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  const auto add_block = [&](std::size_t i, std::size_t j, const Eigen::MatrixXd& block) {
+    for (int k = 0; k < size_of_shape; ++k)
+      for (int l = 0; l < size_of_shape; ++l)
+        entries.emplace_back(int(i) * size_of_shape + k, int(j) * size_of_shape + l, block(k, l));
+  };
+  for (std::size_t i = 0; i < m_shapes.size(); ++i) {
+    add_block(i, i, m_squares[i]);
+    right.segment<size_of_shape>(Eigen::Index(i) * size_of_shape) -= m_slopes[i];
+  }
+  for (const Relation& relation : m_relations) {
+    const std::size_t faces[] = {relation.name.first, relation.name.second};
+    const Shape &s = m_shapes[faces[0]], &t = m_shapes[faces[1]];
+    const Eigen::VectorXd r = relation.residual(s, t);
+    const Eigen::MatrixXd slopes = slopes_of(relation.residual, s, t),
+                          squares = weight * slopes.transpose() * slopes;
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::MatrixXd own = slopes.middleCols(i * size_of_shape, size_of_shape);
+      right.segment<size_of_shape>(Eigen::Index(faces[i]) * size_of_shape) -= weight *
+                                                                              own.transpose() * r;
+      for (int j = 0; j < 2; ++j)
+        add_block(
+          faces[i], faces[j],
+          squares.block<size_of_shape, size_of_shape>(i * size_of_shape, j * size_of_shape));
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+}
+
+void Design::solve()
+{
+  constexpr int steps = 8;
   for (int step = 0; step < steps; ++step) {
     linearize();
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-    const auto add_block = [&](std::size_t i, std::size_t j, const Eigen::MatrixXd& block) {
-      for (int k = 0; k < size_of_shape; ++k)
-        for (int l = 0; l < size_of_shape; ++l)
-          entries.emplace_back(int(i) * size_of_shape + k, int(j) * size_of_shape + l, block(k, l));
-    };
+    const Eigen::VectorXd moves = move();
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-      add_block(i, i, m_squares[i]);
-      right.segment<size_of_shape>(Eigen::Index(i) * size_of_shape) -= m_slopes[i];
-    }
-    for (const Relation& relation : m_relations) {
-      const std::size_t faces[] = {relation.name.first, relation.name.second};
-      const Eigen::MatrixXd slopes = derivatives(
-        [&](const std::vector<Shape>& s) { return relation.residual(s[0], s[1]); },
-        {m_shapes[faces[0]], m_shapes[faces[1]]});
-      const Eigen::VectorXd r = relation.residual(m_shapes[faces[0]], m_shapes[faces[1]]);
-      for (int i = 0; i < 2; ++i) {
-        const Eigen::MatrixXd a = weight * slopes.middleCols(i * size_of_shape, size_of_shape);
-        right.segment<size_of_shape>(Eigen::Index(faces[i]) * size_of_shape) -= a.transpose() * r;
-        for (int j = 0; j < 2; ++j)
-          add_block(faces[i], faces[j],
-                    a.transpose() * slopes.middleCols(j * size_of_shape, size_of_shape));
-      }
-    }
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd move = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(
-      right);
-    for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-      m_shapes[i].x += move.segment<size_of_shape>(Eigen::Index(i) * size_of_shape);
+      m_shapes[i].x += moves.segment<size_of_shape>(Eigen::Index(i) * size_of_shape);
       m_shapes[i].x.segment<3>(3).normalize();
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Machine parts as solids of planes, cylinders, cones, spheres, tori and freeform faces, in a STEP
-// file: mesh_to_step PART.stl PART.step [--allow-facets] [--report PART.json]. What is written is
-// read again and compared with the mesh; if it is not right, the program says what is wrong, writes
-// no STEP file, and ends with 1.
+// file: mesh_to_step PART.stl PART.step [--allow-facets] [--as-found] [--report PART.json]. What is
+// written is read again and compared with the mesh; if it is not right, the program says what is
+// wrong, writes no STEP file, and ends with 1.
 
 #include "bodies.h"
 #include "step_part.h"

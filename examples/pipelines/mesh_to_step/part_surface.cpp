@@ -10,7 +10,6 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <gp_Ax3.hxx>
-#include <gp_Pnt2d.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -125,10 +124,15 @@ Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
   }
 }
 
-Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
+gp_Pnt2d parameters_of_foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
 {
   const auto* const spline = dynamic_cast<const Spline_projector*>(surface.get());
-  const gp_Pnt2d uv = spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
+  return spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
+}
+
+Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
+{
+  const gp_Pnt2d uv = parameters_of_foot(surface, p);
   Foot result;
   gp_Vec by_u, by_v;
   surface->Surface()->D1(uv.X(), uv.Y(), result.point, by_u, by_v);
