@@ -76,6 +76,16 @@ Vector spine_point(const Shape& s, const Vector& p)
   return s.point();
 }
 
+/// Moves the point of a cylinder or cone, which may be any of the axis, to the one next to `p`.
+void move_back_along_axis(Shape& s, const Vector& p)
+{
+  const double z = (p - s.point()).dot(s.direction());
+  if (s.kind == Kind::CYLINDER || s.kind == Kind::CONE)
+    s.x.head<3>() += z * s.direction();
+  if (s.kind == Kind::CONE)
+    s.x[6] += z * std::tan(s.x[8]);
+}
+
 /// A function of two surfaces that is 0 where a relation of them holds.
 using Residual = std::function<Eigen::VectorXd(const Shape&, const Shape&)>;
 
@@ -425,6 +435,7 @@ void Design::solve()
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
       m_shapes[i].x += moves.segment<size_of_shape>(Eigen::Index(i) * size_of_shape);
       m_shapes[i].x.segment<3>(3).normalize();
+      move_back_along_axis(m_shapes[i], m_found[i].point());
     }
   }
 }
