@@ -12,11 +12,17 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
+#include <BRepLib_CheckCurveOnSurface.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <ShapeFix_Face.hxx>
 #include <Standard_Failure.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
@@ -62,7 +68,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      m_surfaces[face] = projector(simple_surface(m_faces.surfaces[face]));
+      m_surfaces[face] = projector(simple_surface(with_axis(face)));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -79,7 +85,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
 
 bool Trimmed_faces::is_right(std::size_t face) const
 {
-  constexpr double tolerance = 0.01, precision_of_area = 1e-4; // of the area
+  constexpr double tolerance = 0.05, precision_of_area = 1e-4; // of the area
   const TopoDS_Shape& shape = m_shapes[face];
   if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
     return false;
@@ -122,9 +128,51 @@ Surfaces Trimmed_faces::simple_surfaces(const std::set<std::size_t>& faces) cons
 {
   Surfaces result;
   for (const std::size_t face : faces)
-    if (face != none && !is_freeform(face))
+    if (!is_freeform(face))
       result.push_back(m_surfaces[face]);
   return result;
+}
+
+/// The surface of a face. The axis of a sphere may be any: the first one, of the directions of
+/// neighbors and of others, whose poles are not near the border of the face, and whose seam crosses
+/// it at most once.
+Fitted_surface Trimmed_faces::with_axis(std::size_t face) const
+{
+  constexpr int number_of_others = 100;
+  Fitted_surface result = m_faces.surfaces[face];
+  if (result.kind != RS::Surface_kind::SPHERE)
+    return result;
+  std::vector<Kernel::Vector_3> candidates;
+  for (Halfedge h : m_border_halfedges[face])
+    if (const std::size_t other = label(opposite(h, m_mesh)); !is_freeform(other))
+      candidates.push_back(m_faces.surfaces[other].direction);
+  for (int i = 0; i < number_of_others; ++i) { // on a spiral from pole to pole
+    const double z = (i + 0.5) / number_of_others, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+    candidates.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  }
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const auto& axis) {
+    return can_be_axis(gp_Dir(axis.x(), axis.y(), axis.z()), face);
+  });
+  if (found != candidates.end())
+    result.direction = *found;
+  return result;
+}
+
+bool Trimmed_faces::can_be_axis(const gp_Dir& axis, std::size_t face) const
+{
+  constexpr double farthest = 0.98; // of a point of the border along the axis, of the radius
+  const gp_Vec seam(seam_direction(axis)), beside = gp_Vec(axis) ^ seam;
+  const Fitted_surface& s = m_faces.surfaces[face];
+  int crossings = 0;
+  for (Halfedge h : m_border_halfedges[face]) {
+    const gp_Vec from(point_of(s.point), source_point(h)),
+      to(point_of(s.point), source_point(next(h, m_mesh)));
+    if (std::fabs(from.Dot(axis)) > farthest * s.radius)
+      return false;
+    if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
+      ++crossings;
+  }
+  return crossings <= 1;
 }
 
 /// Whether the normals of the surface point into the part.
@@ -132,12 +180,14 @@ bool Trimmed_faces::is_inside_out(std::size_t face) const
 {
   if (!is_freeform(face))
     return m_faces.surfaces[face].side < 0;
-  double sum = 0;
+  double sum = 0; // twice the area of the triangles in the parameters
   for (auto f : m_triangles[face]) {
     const Halfedge h = halfedge(f, m_mesh);
-    const gp_Pnt a = source_point(h), b = source_point(next(h, m_mesh)),
-                 c = source_point(prev(h, m_mesh));
-    sum += (gp_Vec(a, b) ^ gp_Vec(a, c)).Dot(foot(m_surfaces[face], a).normal);
+    const auto parameters = [&](Halfedge side) {
+      return parameters_of_foot(m_surfaces[face], source_point(side)).XY();
+    };
+    const gp_XY a = parameters(h);
+    sum += (parameters(next(h, m_mesh)) - a) ^ (parameters(prev(h, m_mesh)) - a);
   }
   return sum < 0;
 }
@@ -203,16 +253,34 @@ void Trimmed_faces::make_edges()
       make_edge({middle, chain.end()}, false);
     }
   }
-  for (Halfedge h : halfedges(m_mesh))
-    if (is_border(opposite(h, m_mesh), m_mesh))
-      make_edge({h}, false);
+}
+
+/// The surfaces to both sides of a border that its curve is on.
+Surfaces Trimmed_faces::surfaces_along(Halfedge h) const
+{
+  const std::set<std::size_t> sides{label(h), label(opposite(h, m_mesh))};
+  for (const std::size_t face : sides)
+    // A facet that is nearly tangent to its neighbor meets its surface elsewhere.
+    if (m_faces.is_facet[face])
+      return {};
+  return simple_surfaces(sides);
+}
+
+/// How far the points of a border may be from its curve.
+double Trimmed_faces::tolerance_along(Halfedge h) const
+{
+  double result = 1e-6 * m_size;
+  for (const std::size_t face : {label(h), label(opposite(h, m_mesh))})
+    result = (std::max)(result, 2 * m_faces.surfaces[face].deviation);
+  return result;
 }
 
 void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
 {
+  const Surfaces surfaces = surfaces_along(chain.front());
   Points points;
   for (Halfedge h : chain)
-    points.push_back(source_point(h));
+    points.push_back(nearest_point(surfaces, source_point(h)));
   points.push_back(points.front());
   TopoDS_Vertex first, last;
   if (!is_closed) {
@@ -221,7 +289,7 @@ void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
     points.front() = BRep_Tool::Pnt(first);
     points.back() = BRep_Tool::Pnt(last);
   }
-  const Border_curve border = curve(chain, points);
+  const Border_curve border = make_curve(points, surfaces, tolerance_along(chain.front()));
   if (is_closed) {
     m_builder.MakeVertex(first, border.piece.curve->Value(border.piece.first), precision);
     last = first;
@@ -241,18 +309,25 @@ void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
   }
 }
 
-Border_curve Trimmed_faces::curve(const Halfedges& chain, const Points& points) const
+/// Gives an edge its curve in the parameters of a freeform surface. (That of OpenCASCADE misses
+/// nearest points.)
+void Trimmed_faces::add_parameter_curve(const TopoDS_Edge& edge, std::size_t face)
 {
-  const std::set<std::size_t> sides{label(chain.front()), label(opposite(chain.front(), m_mesh))};
-  double tolerance = 1e-6 * m_size;
-  bool is_straight = false;
-  for (const std::size_t face : sides)
-    if (face != none) {
-      tolerance = (std::max)(tolerance, 2 * m_faces.surfaces[face].deviation);
-      // A facet that is nearly tangent to its neighbor meets its surface elsewhere.
-      is_straight = is_straight || m_faces.is_facet[face];
-    }
-  return make_curve(points, is_straight ? Surfaces() : simple_surfaces(sides), tolerance);
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve);
+  const int n = spline.IsNull() ? 24 : 3 * spline->NbKnots();
+  const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, n + 1);
+  const Handle(TColStd_HArray1OfReal) parameters = new TColStd_HArray1OfReal(1, n + 1);
+  for (int i = 0; i <= n; ++i) {
+    const double t = first + (last - first) * i / n;
+    parameters->SetValue(i + 1, t);
+    points->SetValue(i + 1, parameters_of_foot(m_surfaces[face], curve->Value(t)));
+  }
+  Geom2dAPI_Interpolate interpolate(points, parameters, false, 1e-12);
+  interpolate.Perform();
+  m_builder.UpdateEdge(edge, interpolate.Curve(), m_surfaces[face]->Surface(), TopLoc_Location(),
+                       precision);
 }
 
 TopoDS_Shape Trimmed_faces::make_face(std::size_t face)
@@ -265,8 +340,11 @@ try {
     TopoDS_Wire wire;
     m_builder.MakeWire(wire);
     for (Halfedge h : loop)
-      if (const auto edge = m_edges.find(h); edge != m_edges.end())
+      if (const auto edge = m_edges.find(h); edge != m_edges.end()) {
+        if (is_freeform(face))
+          add_parameter_curve(edge->second, face);
         m_builder.Add(wire, is_reversed ? edge->second.Reversed() : edge->second);
+      }
     wire.Closed(true);
     m_builder.Add(trimmed, wire);
   }
@@ -287,7 +365,6 @@ try {
 void Trimmed_faces::set_tolerances()
 {
   constexpr double margin = 1.1; // OpenCASCADE measures at other points
-  constexpr int samples = 8;
   for (TopoDS_Shape& shape : m_shapes)
     try {
       if (!shape.IsNull())
@@ -295,15 +372,15 @@ void Trimmed_faces::set_tolerances()
     } catch (const Standard_Failure&) {
       shape.Nullify();
     }
-  for (std::size_t i = 0; i < m_shapes.size(); ++i)
-    for (TopExp_Explorer edges(m_shapes[i], TopAbs_EDGE); edges.More(); edges.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
-      Curve_piece piece;
-      piece.curve = BRep_Tool::Curve(edge, piece.first, piece.last);
-      if (!piece.curve.IsNull())
-        m_builder.UpdateEdge(edge, margin * (std::max)(BRep_Tool::Tolerance(edge),
-                                                       gap(piece, {m_surfaces[i]}, samples)));
-    }
+  for (const TopoDS_Shape& shape : m_shapes)
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+      for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+        BRepLib_CheckCurveOnSurface check(edge, TopoDS::Face(faces.Current()));
+        check.Perform();
+        if (check.IsDone() && check.MaxDistance() > BRep_Tool::Tolerance(edge))
+          m_builder.UpdateEdge(edge, margin * check.MaxDistance());
+      }
   for (const TopoDS_Shape& shape : m_shapes)
     if (!shape.IsNull())
       BRepLib::UpdateTolerances(shape);

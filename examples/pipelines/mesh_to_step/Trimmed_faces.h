@@ -34,6 +34,7 @@ double size_of(const Mesh& mesh);
 class Trimmed_faces
 {
 public:
+  /// \param mesh closed
   Trimmed_faces(const Mesh& mesh, const Labelled_faces& faces);
 
   /// By label; null of a freeform face without a surface, several faces where making one failed.
@@ -46,13 +47,9 @@ public:
 private:
   using Halfedge = Mesh::Halfedge_index;
   using Halfedges = std::vector<Halfedge>;
-  static constexpr std::size_t none = std::size_t(-1);
 
   gp_Pnt source_point(Halfedge h) const { return point_of(m_mesh.point(source(h, m_mesh))); }
-  std::size_t label(Halfedge h) const
-  {
-    return is_border(h, m_mesh) ? none : m_faces.labels[face(h, m_mesh)];
-  }
+  std::size_t label(Halfedge h) const { return m_faces.labels[face(h, m_mesh)]; }
   bool is_freeform(std::size_t face) const
   {
     return m_faces.surfaces[face].kind == RS::Surface_kind::FREEFORM;
@@ -60,13 +57,17 @@ private:
   std::vector<Halfedges> loops(std::size_t face) const;
   Halfedge next_at_border(Halfedge h) const;
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
+  Fitted_surface with_axis(std::size_t face) const;
+  bool can_be_axis(const gp_Dir& axis, std::size_t face) const;
   bool is_inside_out(std::size_t face) const;
 
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);
   void make_edges();
   void make_edge(const Halfedges& chain, bool is_closed);
-  Border_curve curve(const Halfedges& chain, const Points& points) const;
+  Surfaces surfaces_along(Halfedge h) const;
+  double tolerance_along(Halfedge h) const;
+  void add_parameter_curve(const TopoDS_Edge& edge, std::size_t face);
   TopoDS_Shape make_face(std::size_t face);
   void set_tolerances();
   void measure_triangles();

@@ -193,8 +193,6 @@ Bodies orient_bodies(Mesh& mesh)
                                        mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
                                        mesh.point(target(next(h, mesh), mesh)));
   }
-  if (!CGAL::is_closed(mesh))
-    return result;
   for (const auto& [component, triangles] : components) {
     const bool is_void = result.body[triangles.front()] != component;
     if ((volumes[component] < 0) != is_void)

@@ -23,7 +23,8 @@ struct Bodies
   std::vector<std::size_t> component, body;
 };
 
-/// Finds the bodies of a mesh, and turns components so that normals point out of the material.
+/// Finds the bodies of a closed mesh, and turns components so that normals point out of the
+/// material.
 Bodies orient_bodies(Mesh& mesh);
 
 } // namespace mesh_to_step

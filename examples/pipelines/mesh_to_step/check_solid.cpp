@@ -107,9 +107,9 @@ private:
   Surfaces surfaces_beside(Mesh::Halfedge_index h) const
   {
     Surfaces result = m_surface;
-    if (const auto o = opposite(h, m_mesh); !is_border(o, m_mesh))
-      if (const auto& other = m_surface_of_label[m_solid.labels[face(o, m_mesh)]]; !other.IsNull())
-        result.push_back(other);
+    const std::size_t label = m_solid.labels[face(opposite(h, m_mesh), m_mesh)];
+    if (const auto& other = m_surface_of_label[label]; !other.IsNull())
+      result.push_back(other);
     return result;
   }
 

@@ -123,7 +123,8 @@ std::optional<Border_curve> line(const Points& points)
   return result;
 }
 
-/// Whether the curve goes along the points, and along the surfaces.
+/// Whether the curve goes along the points, and along the surfaces as well as the points are on
+/// them.
 bool fits(const Border_curve& border, const Points& points, const Surfaces& surfaces,
           double tolerance)
 {
@@ -133,7 +134,11 @@ bool fits(const Border_curve& border, const Points& points, const Surfaces& surf
         (i > 0 && t[i] <= t[i - 1]))
       return false;
   constexpr int samples = 16;
-  return gap(border.piece, surfaces, samples) <= tolerance;
+  constexpr double share = 0.1;
+  double of_points = share * tolerance;
+  for (const gp_Pnt& p : points)
+    of_points = (std::max)(of_points, distance(surfaces, p));
+  return gap(border.piece, surfaces, samples) <= 2 * of_points;
 }
 
 /// The B-spline through the points, whose parameters are lengths along the polyline.

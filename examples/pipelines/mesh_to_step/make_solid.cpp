@@ -4,8 +4,6 @@
 
 #include "bodies.h"
 
-#include <CGAL/boost/graph/helpers.h>
-
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <NCollection_DataMap.hxx>
@@ -19,28 +17,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace mesh_to_step {
 
 namespace {
-
-/// Gives faces that have one axis, within the tolerance, exactly one: what is between them are then
-/// circles around it.
-void share_axes(Part_faces& faces, double tolerance)
-{
-  for (RS::Part_face<Kernel>& face : faces) {
-    const Fitted_surface& first = faces[face.first_on_axis].surface;
-    Fitted_surface& s = face.surface;
-    const Kernel::Line_3 axis(first.point, first.direction);
-    const double allowed = tolerance * tolerance;
-    if (CGAL::squared_distance(axis, s.point + s.lowest * s.direction) > allowed ||
-        CGAL::squared_distance(axis, s.point + s.highest * s.direction) > allowed)
-      continue;
-    s.point = first.point + ((s.point - first.point) * first.direction) * first.direction;
-    s.direction = (s.direction * first.direction > 0 ? 1 : -1) * first.direction;
-  }
-}
 
 /// The plane of a triangle.
 Fitted_surface plane_of(const Mesh& mesh, Mesh::Face_index f)
@@ -84,12 +66,10 @@ std::set<std::size_t> wrong_faces(const Trimmed_faces& trimmed, const Labelled_f
   return others.empty() ? planes : others;
 }
 
-/// Of each body a solid: of its outer shell, and those of its voids; but shells, if the mesh is
-/// open.
+/// Of each body a solid: of its outer shell, and those of its voids.
 TopoDS_Shape make_shape(const Mesh& mesh, const Bodies& bodies, const Labels& labels,
                         const std::vector<TopoDS_Shape>& shapes)
 {
-  const bool is_closed = CGAL::is_closed(mesh);
   BRep_Builder builder;
   std::map<std::size_t, std::map<std::size_t, TopoDS_Shell>> shells; // by body and component
   std::set<std::size_t> added;
@@ -108,13 +88,9 @@ TopoDS_Shape make_shape(const Mesh& mesh, const Bodies& bodies, const Labels& la
     builder.MakeSolid(solid);
     for (auto& [component, shell] : shells_of_body) {
       shell.Closed(BRep_Tool::IsClosed(shell));
-      if (is_closed)
-        builder.Add(solid, shell);
-      else
-        builder.Add(result, shell);
+      builder.Add(solid, shell);
     }
-    if (is_closed)
-      builder.Add(result, solid);
+    builder.Add(result, solid);
   }
   return result.NbChildren() == 1 ? TopoDS_Iterator(result).Value() : result;
 }
@@ -135,11 +111,9 @@ std::vector<std::size_t> labels_of_faces(const TopoDS_Shape& shape,
 
 } // namespace
 
-Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces, Facets facets)
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, const Part_faces& part_faces,
+                 Facets facets)
 {
-  // Edges of facets can make neighbors wrong.
-  const int rounds = facets == Facets::ALLOWED ? 4 : 1;
-  share_axes(part_faces, 1e-6 * size_of(mesh));
   Solid result;
   result.mesh = std::move(mesh);
   const Bodies bodies = orient_bodies(result.mesh);
@@ -151,21 +125,19 @@ Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_face
   for (const auto& face : part_faces)
     labelled.surfaces.push_back(face.surface);
   labelled.is_facet.resize(part_faces.size(), false);
-  for (int round = 1;; ++round) {
-    const Trimmed_faces trimmed(result.mesh, labelled);
-    const std::set<std::size_t> wrong = wrong_faces(trimmed, labelled);
-    result.faces_as_facets.insert(wrong.begin(), wrong.end());
-    if (wrong.empty() || round == rounds) {
-      result.shape = make_shape(result.mesh, bodies, labelled.labels, trimmed.shapes());
-      result.labels = labelled.labels;
-      result.number_of_labels = labelled.surfaces.size();
-      result.label_of_face = labels_of_faces(result.shape, trimmed.shapes());
-      for (const Measures& m : trimmed.measures())
-        result.expected_volume += m.volume;
-      return result;
-    }
-    divide_into_facets(result.mesh, wrong, labelled);
+  std::optional<Trimmed_faces> trimmed(std::in_place, result.mesh, labelled);
+  result.faces_as_facets = wrong_faces(*trimmed, labelled);
+  if (facets == Facets::ALLOWED && !result.faces_as_facets.empty()) {
+    divide_into_facets(result.mesh, result.faces_as_facets, labelled);
+    trimmed.emplace(result.mesh, labelled);
   }
+  result.shape = make_shape(result.mesh, bodies, labelled.labels, trimmed->shapes());
+  result.labels = labelled.labels;
+  result.number_of_labels = labelled.surfaces.size();
+  result.label_of_face = labels_of_faces(result.shape, trimmed->shapes());
+  for (const Measures& m : trimmed->measures())
+    result.expected_volume += m.volume;
+  return result;
 }
 
 } // namespace mesh_to_step

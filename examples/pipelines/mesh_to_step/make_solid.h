@@ -18,7 +18,7 @@ enum class Facets { REFUSED, ALLOWED };
 /// A part as a boundary representation.
 struct Solid
 {
-  TopoDS_Shape shape; ///< a solid, or of a mesh that is open a shell; a compound of several
+  TopoDS_Shape shape; ///< a solid; a compound of several
   Mesh mesh;          ///< of the triangles, with their labels
   Labels labels;      ///< by triangle: the faces of the part, then triangles of some of them
   std::size_t number_of_labels = 0;
@@ -33,9 +33,9 @@ struct Solid
 /// that is allowed, where what is made of it is not valid, or has not the area of its triangles
 /// bent to its surface.
 ///
-/// \param mesh of triangles
+/// \param mesh closed, of triangles
 /// \param face_of_triangle, part_faces as found by `find_part_faces()`
-Solid make_solid(Mesh mesh, const Labels& face_of_triangle, Part_faces part_faces,
+Solid make_solid(Mesh mesh, const Labels& face_of_triangle, const Part_faces& part_faces,
                  Facets facets = Facets::ALLOWED);
 
 } // namespace mesh_to_step

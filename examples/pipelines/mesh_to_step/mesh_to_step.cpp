@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Machine parts as solids of planes, cylinders, cones, spheres, tori and freeform faces, in a STEP
-// file: mesh_to_step PART.stl PART.step [--allow-facets] [--report PART.json]. What is written is
-// read again and compared with the mesh; if it is not right, the program says what is wrong, writes
-// no STEP file, and ends with 1.
+// file: mesh_to_step PART.stl PART.step [--allow-facets] [--as-found] [--report PART.json]. What is
+// written is read again and compared with the mesh; if it is not right, the program says what is
+// wrong, writes no STEP file, and ends with 1.
 
 #include "bodies.h"
 #include "step_part.h"
@@ -26,6 +26,7 @@ struct Options
   std::vector<std::string> files;
   std::string report;
   mesh_to_step::Facets facets = mesh_to_step::Facets::REFUSED;
+  mesh_to_step::Design_intent intent = mesh_to_step::Design_intent::SET;
 };
 
 Options read_options(int argc, char** argv)
@@ -35,6 +36,8 @@ Options read_options(int argc, char** argv)
     const std::string word = argv[i];
     if (word == "--allow-facets")
       result.facets = mesh_to_step::Facets::ALLOWED;
+    else if (word == "--as-found")
+      result.intent = mesh_to_step::Design_intent::AS_FOUND;
     else if (word == "--report" && i + 1 < argc)
       result.report = argv[++i];
     else
@@ -71,7 +74,7 @@ int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
   const mesh_to_step::Step_part part = mesh_to_step::make_step_part(read_bodies(options.files[0]),
-                                                                    options.facets);
+                                                                    options.facets, options.intent);
   for (const std::string& remark : part.remarks)
     std::cout << remark << '\n';
   if (!options.report.empty())

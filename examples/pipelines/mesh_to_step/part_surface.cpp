@@ -10,7 +10,6 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <gp_Ax3.hxx>
-#include <gp_Pnt2d.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -125,10 +124,15 @@ Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
   }
 }
 
-Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
+gp_Pnt2d parameters_of_foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
 {
   const auto* const spline = dynamic_cast<const Spline_projector*>(surface.get());
-  const gp_Pnt2d uv = spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
+  return spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
+}
+
+Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
+{
+  const gp_Pnt2d uv = parameters_of_foot(surface, p);
   Foot result;
   gp_Vec by_u, by_v;
   surface->Surface()->D1(uv.X(), uv.Y(), result.point, by_u, by_v);
@@ -155,25 +159,91 @@ double distance(const Surfaces& surfaces, const gp_Pnt& p)
   return result;
 }
 
+namespace {
+
+gp_Pnt location(const Handle(ShapeAnalysis_Surface) & surface)
+{
+  return Handle(Geom_ElementarySurface)::DownCast(surface->Surface())->Location();
+}
+
+/// The point of the spine of a surface next to `p`, and its distance from the surface; none of
+/// surfaces without a spine.
+std::optional<std::pair<gp_Pnt, double>> spine_point(const Handle(Geom_Surface) & surface,
+                                                     const gp_Pnt& p)
+{
+  if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
+    return std::make_pair(sphere->Location(), sphere->Radius());
+  const auto elementary = Handle(Geom_ElementarySurface)::DownCast(surface);
+  if (elementary.IsNull())
+    return std::nullopt;
+  const gp_Vec axis(elementary->Axis().Direction()), d(elementary->Location(), p);
+  const gp_Vec along = d.Dot(axis) * axis;
+  if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
+    return std::make_pair(cylinder->Location().Translated(along), cylinder->Radius());
+  const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface);
+  if (const gp_Vec outward = d - along; !torus.IsNull() && outward.Magnitude() > 0)
+    return std::make_pair(torus->Location().Translated(torus->MajorRadius() * outward.Normalized()),
+                          torus->MinorRadius());
+  return std::nullopt;
+}
+
+/// The vector from `p` to the points next to it in which two surfaces touch, if they do.
+std::optional<gp_Vec> step_to_contact(const Handle(ShapeAnalysis_Surface) & first,
+                                      const Handle(ShapeAnalysis_Surface) & second, const gp_Pnt& p)
+{
+  constexpr double precision = 1e-6, near = 0.02; // of the radius
+  const auto of_second = spine_point(second->Surface(), p),
+             of_first = spine_point(first->Surface(), p);
+  if (!of_second)
+    return std::nullopt;
+  const auto& [center, radius] = *of_second;
+  if (of_first && of_first->first.Distance(center) < near * radius) {
+    if (std::fabs(of_first->second - radius) > precision * radius ||
+        second->Surface()->IsKind(STANDARD_TYPE(Geom_CylindricalSurface)))
+      return std::nullopt;
+    const auto touching = spine_point(first->Surface(), location(second));
+    return touching ? std::optional<gp_Vec>({of_first->first, touching->first}) : std::nullopt;
+  }
+  const gp_Pnt contact = foot(first, center).point;
+  if (std::fabs(contact.Distance(center) - radius) > precision * radius ||
+      contact.Distance(p) > near * radius)
+    return std::nullopt;
+  return gp_Vec(p, contact);
+}
+
+} // namespace
+
 gp_Pnt nearest_point(const Surfaces& surfaces, gp_Pnt p)
 {
   constexpr double least_sine = 0.03; // of the angle between surfaces that are not tangent
-  const auto n = Eigen::Index(surfaces.size());
-  if (n == 1)
+  constexpr int most_steps = 10;
+  if (surfaces.size() == 1)
     return foot(surfaces[0], p).point;
-  for (int step = 0; step < 10 && n > 0; ++step) {
-    Eigen::MatrixX3d normals(n, 3);
-    Eigen::VectorXd distances(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Foot f = foot(surfaces[std::size_t(i)], p);
-      normals.row(i) << f.normal.X(), f.normal.Y(), f.normal.Z();
-      distances[i] = gp_Vec(p, f.point).Dot(f.normal);
+  for (int step = 0; step < most_steps && !surfaces.empty(); ++step) {
+    const double rounding = 1e-14 * (1 + p.XYZ().Modulus());
+    std::vector<std::pair<gp_Vec, double>> moves; // directions of length 1, and how far to go
+    for (const auto& surface : surfaces) {
+      const Foot f = foot(surface, p);
+      moves.emplace_back(f.normal, gp_Vec(p, f.point).Dot(f.normal));
+      for (const auto& other : surfaces)
+        if (const auto contact = step_to_contact(surface, other, p); contact && surface != other) {
+          const gp_Vec beside = *contact - contact->Dot(f.normal) * f.normal;
+          if (beside.Magnitude() > rounding)
+            moves.emplace_back(beside.Normalized(), beside.Magnitude());
+        }
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixX3d> solver(n, 3);
+    Eigen::MatrixX3d directions(moves.size(), 3);
+    Eigen::VectorXd distances(moves.size());
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      const auto& [direction, length] = moves[i];
+      directions.row(Eigen::Index(i)) << direction.X(), direction.Y(), direction.Z();
+      distances[Eigen::Index(i)] = length;
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixX3d> solver(directions.rows(), 3);
     solver.setThreshold(least_sine);
-    const Eigen::Vector3d move = solver.compute(normals).solve(distances);
+    const Eigen::Vector3d move = solver.compute(directions).solve(distances);
     p.Translate({move.x(), move.y(), move.z()});
-    if (distances.cwiseAbs().maxCoeff() <= 1e-14 * (1 + p.XYZ().Modulus()))
+    if (distances.cwiseAbs().maxCoeff() <= rounding)
       break;
   }
   return p;

@@ -9,6 +9,7 @@
 #include <ShapeAnalysis_Surface.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
 #include <gp_XY.hxx>
 
@@ -35,6 +36,9 @@ Handle(Geom_Surface) simple_surface(const Fitted_surface& s);
 
 /// A surface with what projects points to it.
 Handle(ShapeAnalysis_Surface) projector(const Handle(Geom_Surface) & surface);
+
+/// The parameters of the point of a surface next to `p`.
+gp_Pnt2d parameters_of_foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p);
 
 /// The foot of a point on a surface, and the unit normal there, or zero at an apex.
 struct Foot

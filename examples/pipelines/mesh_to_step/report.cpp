@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <vector>
+
 namespace mesh_to_step {
 
 namespace {
@@ -38,6 +41,25 @@ void add_surface(Json& face, const Fitted_surface& s)
     face["minor_radius"] = s.minor_radius;
 }
 
+/// Whether a face that borders on no other one is the bottom of a hole, which is the wall and the
+/// other walls and steps that it leads to along the axis.
+bool is_blind(const Part_faces& faces, std::size_t wall)
+{
+  std::vector<std::size_t> walk{wall};
+  for (std::size_t i = 0; i < walk.size(); ++i)
+    for (const auto& neighbor : faces[walk[i]].neighbors) {
+      const auto& face = faces[neighbor.face];
+      if (face.neighbors.size() == 1)
+        return true;
+      const bool leads_on = face.role == RS::Face_role::HOLE &&
+                            (face.surface.kind == RS::Surface_kind::PLANE ||
+                             face.first_on_axis == faces[wall].first_on_axis);
+      if (leads_on && std::find(walk.begin(), walk.end(), neighbor.face) == walk.end())
+        walk.push_back(neighbor.face);
+    }
+  return false;
+}
+
 /// The cylinders that are walls of holes; those of one number `axis` have a common axis.
 Json holes(const Part_faces& faces)
 {
@@ -48,6 +70,7 @@ Json holes(const Part_faces& faces)
       result.push_back({{"face", face_name(faces, i)},
                         {"diameter", 2 * s.radius},
                         {"depth", s.highest - s.lowest},
+                        {"is_blind", is_blind(faces, i)},
                         {"axis", faces[i].first_on_axis}});
   }
   return result;
@@ -74,8 +97,8 @@ std::string face_name(const Part_faces& faces, std::size_t face)
   return kinds[int(faces[face].surface.kind)] + ("_" + std::to_string(face));
 }
 
-std::string report(const Part_faces& faces, const Solid& solid, const Certificate& certificate,
-                   bool is_right)
+std::string report(const Part_faces& faces, const Design_log& log, const Solid& solid,
+                   const Certificate& certificate, bool is_right)
 {
   Json result{{"is_right", is_right},
               {"solids", certificate.number_of_solids},
@@ -87,9 +110,15 @@ std::string report(const Part_faces& faces, const Solid& solid, const Certificat
     if (!certificate.faces.empty())
       face["errors"] = json_of(certificate.faces[i]);
     add_surface(face, faces[i].surface);
+    if (!log.as_found.empty())
+      add_surface(face["as_found"], log.as_found[i]);
     face["is_facets"] = solid.faces_as_facets.count(i) > 0;
     result["faces"].push_back(face);
   }
+  result["relations"] = Json::array();
+  for (const auto& [name, first, second] : log.relations)
+    result["relations"].push_back(
+      {{"relation", name}, {"faces", {face_name(faces, first), face_name(faces, second)}}});
   result["holes"] = holes(faces);
   result["fillets"] = fillets(faces);
   return result.dump(1) + '\n';

@@ -4,6 +4,7 @@
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_REPORT_H
 
 #include "check_solid.h"
+#include "design_intent.h"
 
 #include <string>
 
@@ -14,8 +15,8 @@ std::string face_name(const Part_faces& faces, std::size_t face);
 
 /// In JSON: the solids as a whole, the faces with their surfaces and errors, a table of holes, and
 /// fillets by radius.
-std::string report(const Part_faces& faces, const Solid& solid, const Certificate& certificate,
-                   bool is_right);
+std::string report(const Part_faces& faces, const Design_log& log, const Solid& solid,
+                   const Certificate& certificate, bool is_right);
 
 } // namespace mesh_to_step
 

@@ -3,6 +3,7 @@
 #include "step_part.h"
 
 #include "check_solid.h"
+#include "design_intent.h"
 #include "report.h"
 #include "step_text.h"
 
@@ -40,7 +41,8 @@ void tell(std::set<std::size_t> waiting, const Mesh& mesh, const Labels& labels,
       remarks.push_back(sentence(labels[f], place(mesh, halfedge(f, mesh))));
 }
 
-void tell_border(const Mesh& mesh, std::vector<std::string>& remarks)
+/// Tells whether there is no border, and else where.
+bool tell_closed(const Mesh& mesh, std::vector<std::string>& remarks)
 {
   std::size_t count = 0;
   Mesh::Halfedge_index first;
@@ -50,20 +52,25 @@ void tell_border(const Mesh& mesh, std::vector<std::string>& remarks)
   if (count > 0)
     remarks.push_back("the mesh is open: " + std::to_string(count) +
                       " edges have one face, the first " + place(mesh, first));
+  return count == 0;
 }
 
 /// The faces that are farther from their triangles than a tolerance, or what they stand for
-/// explains; or from their edges.
+/// explains; or from their edges, which may be as far as the vertices of the mesh are from simple
+/// surfaces.
 std::set<std::size_t> wrong_faces(const Certificate& measured, const Part_faces& faces, double size)
 {
   constexpr double tolerance = 1e-4, edge_tolerance = 1e-5, most_sides = 10;
   std::set<std::size_t> result;
+  double edges_within = edge_tolerance * size;
+  for (const auto& face : faces)
+    edges_within = (std::max)(edges_within, face.surface.deviation);
   for (std::size_t i = 0; i < measured.faces.size(); ++i) {
     const Face_errors& e = measured.faces[i];
     const double deviation = i < faces.size() ? 2 * faces[i].surface.deviation : 0,
                  allowed = (std::max)(tolerance * size, deviation);
     if (e.of_vertices > allowed || e.of_surface > allowed + most_sides * e.of_sides ||
-        e.of_edges > edge_tolerance * size)
+        e.of_edges > edges_within)
       result.insert(i);
   }
   return result;
@@ -89,9 +96,9 @@ bool tell_whole(const Certificate& c, const Solid& solid, std::vector<std::strin
   constexpr double tolerance = 1e-3; // of the volume
   std::ostringstream text;
   text << c.number_of_solids << (c.number_of_solids == 1 ? " solid, " : " solids, ")
-       << c.number_of_faces << " faces, volume " << c.volume << " (mesh "
-       << (CGAL::is_closed(solid.mesh) ? PMP::volume(solid.mesh) : 0) << "), area " << c.area
-       << " (mesh " << PMP::area(solid.mesh) << "), edges within " << c.gap << " of their faces";
+       << c.number_of_faces << " faces, volume " << c.volume << " (mesh " << PMP::volume(solid.mesh)
+       << "), area " << c.area << " (mesh " << PMP::area(solid.mesh) << "), edges within " << c.gap
+       << " of their faces";
   const double expected = solid.expected_volume;
   bool is_right = false;
   if (!c.is_valid || !c.is_closed)
@@ -135,24 +142,29 @@ std::vector<std::string> face_names(const Solid& solid, const Part_faces& faces)
 
 } // namespace
 
-Step_part make_step_part(Mesh mesh, Facets facets)
+Step_part make_step_part(Mesh mesh, Facets facets, Design_intent intent)
 {
   check_size(mesh);
   auto face_of_triangle = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part_face").first;
   Part_faces faces;
   RS::find_part_faces(mesh, face_of_triangle, std::back_inserter(faces));
-  const Solid solid = make_solid(mesh, face_of_triangle, faces, facets);
   Step_part result;
   result.remarks.push_back(std::to_string(faces.size()) + " faces of the part");
+  Design_log log;
+  if (intent == Design_intent::SET)
+    log = set_design_intent(mesh, face_of_triangle, faces);
+  result.report = report(faces, log, {}, {}, false);
+  if (!tell_closed(mesh, result.remarks))
+    return result;
+  const Solid solid = make_solid(mesh, face_of_triangle, faces, facets);
   tell(
     solid.faces_as_facets, mesh, face_of_triangle,
     [&](std::size_t face, const std::string& where) {
       return face_name(faces, face) + " " + where + " cannot be made of its surface";
     },
     result.remarks);
-  tell_border(mesh, result.remarks);
   if (facets == Facets::REFUSED && !solid.faces_as_facets.empty()) {
-    result.report = report(faces, solid, {}, false);
+    result.report = report(faces, log, solid, {}, false);
     return result;
   }
   result.text = step_text(solid.shape, face_names(solid, faces));
@@ -161,7 +173,7 @@ Step_part make_step_part(Mesh mesh, Facets facets)
   tell_errors(wrong, certificate, solid, faces, result.remarks);
   const bool is_right = tell_whole(certificate, solid, result.remarks);
   result.is_solid = is_right && wrong.empty();
-  result.report = report(faces, solid, certificate, result.is_solid);
+  result.report = report(faces, log, solid, certificate, result.is_solid);
   return result;
 }
 

@@ -10,6 +10,9 @@
 
 namespace mesh_to_step {
 
+/// Whether surfaces are given the relations that they have within their errors.
+enum class Design_intent { SET, AS_FOUND };
+
 /// A part as a STEP file.
 struct Step_part
 {
@@ -24,7 +27,8 @@ struct Step_part
 
 /// \param mesh of triangles
 /// \throws Standard_Failure by OpenCASCADE, and for a part smaller than .001 or larger than 1e12
-Step_part make_step_part(Mesh mesh, Facets facets = Facets::REFUSED);
+Step_part make_step_part(Mesh mesh, Facets facets = Facets::REFUSED,
+                         Design_intent intent = Design_intent::SET);
 
 } // namespace mesh_to_step
 
