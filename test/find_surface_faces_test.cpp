@@ -233,6 +233,18 @@ TEST(FindSurfaceFaces, ChamferOfOneRow)
   }
 }
 
+// The three circles of this shaft and its chamfer are on a sphere, too.
+TEST(FindSurfaceFaces, ChamferOfShaft)
+{
+  for (const int turns : {12, 24, 48}) {
+    SCOPED_TRACE(turns);
+    const std::vector<RS::Fitted_surface<>> s = expect_faces(
+      revolved({{0, 0}, {3, 0}, {3, 5}, {2.5, 5.5}, {0, 5.5}}, turns));
+    EXPECT_EQ(s[1].kind, Surface_kind::CYLINDER);
+    EXPECT_EQ(s[2].kind, Surface_kind::CONE);
+  }
+}
+
 /// A tube of radius 0.4 around a helix of radius 2 that rises by `pitch` per radian, with its ends.
 Shape helical_tube(double pitch, double radians)
 {
