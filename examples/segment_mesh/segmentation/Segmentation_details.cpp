@@ -6,7 +6,8 @@
 #include "segmentation/segment_attributes.h"
 
 #include <CGAL/Region_segmentation/Graph/build_region_adjacency_graph.h>
-#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
+#include <CGAL/Region_segmentation/Part_faces/find_common_surfaces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
@@ -136,67 +137,78 @@ struct Segmentation_details::Region_graph
   std::vector<std::size_t> region_of_vertex;
 };
 
-/// The faces of a part as the method smooth-faces finds them. Labels are of the faces of the mesh.
+/// A mesh with its faces as the method smooth-faces finds them. Labels are of the faces of the
+/// mesh.
 class Segmentation_details::Machine_part
 {
 public:
-  Machine_part(const RS::Surface& surface, const RS::Surface_faces& faces)
-    : m_part_of_face(faces.partition)
-    , m_parts(RS::internal::part_faces<Kernel>(surface, faces))
-  {
-    RS::internal::add_neighbors(surface, faces, m_parts);
-  }
+  Machine_part(RS::Surface surface, const RS::Surface_faces& faces);
 
   /// Of each label that is of one face, or of a piece of it, alone.
-  std::map<std::size_t, Surface_face> faces(const std::vector<std::size_t>& labels) const
-  {
-    std::map<std::size_t, Surface_face> result;
-    std::map<std::size_t, std::size_t> labels_of_surfaces, labels_of_axes;
-    for (const auto& [label, i] : parts_of(labels)) {
-      const RS::Part_face<Kernel>& part = m_parts[i];
-      result[label] = {part.surface, part.role,
-                       labels_of_surfaces.emplace(part.first_on_surface, label).first->second,
-                       labels_of_axes.emplace(part.first_on_axis, label).first->second};
-    }
-    return result;
-  }
+  std::map<std::size_t, Surface_face> faces(const std::vector<std::size_t>& labels) const;
 
-  /// The labels that each of these labels meets smoothly; none of others. \pre labels are numbered
-  /// from 0 to n - 1
+  /// The labels that each label meets smoothly. \pre labels are numbered from 0 to n - 1
   std::vector<std::vector<std::size_t>> smooth_neighbors(const std::vector<std::size_t>& labels,
-                                                         std::size_t n) const
-  {
-    const std::map<std::size_t, std::size_t> parts = parts_of(labels);
-    std::multimap<std::size_t, std::size_t> labels_of_parts;
-    for (const auto& [label, part] : parts)
-      labels_of_parts.emplace(part, label);
-    std::vector<std::vector<std::size_t>> result(n);
-    for (const auto& [label, part] : parts)
-      for (const RS::Part_face_neighbor& neighbor : m_parts[part].neighbors)
-        if (const auto range = labels_of_parts.equal_range(neighbor.face); neighbor.is_smooth)
-          for (auto i = range.first; i != range.second; ++i)
-            result[label].push_back(i->second);
-    return result;
-  }
+                                                         std::size_t n) const;
 
 private:
-  /// The part of each label that has no others.
-  std::map<std::size_t, std::size_t> parts_of(const std::vector<std::size_t>& labels) const
-  {
-    constexpr std::size_t several = (std::numeric_limits<std::size_t>::max)();
-    std::map<std::size_t, std::size_t> parts;
-    for (std::size_t f = 0; f < labels.size(); ++f) {
-      std::size_t& part = parts.emplace(labels[f], m_part_of_face[f]).first->second;
-      part = part == m_part_of_face[f] ? part : several;
-    }
-    for (auto i = parts.begin(); i != parts.end();)
-      i = i->second == several ? parts.erase(i) : std::next(i);
-    return parts;
-  }
-
-  const RS::Partition& m_part_of_face;
-  std::vector<RS::Part_face<Kernel>> m_parts;
+  RS::Surface m_surface;
+  const RS::Surface_faces& m_faces;
+  std::vector<RS::Partition::Index> m_common_surfaces, m_common_axes;
 };
+
+Segmentation_details::Machine_part::Machine_part(RS::Surface surface,
+                                                 const RS::Surface_faces& faces)
+  : m_surface(std::move(surface))
+  , m_faces(faces)
+  , m_common_surfaces(RS::find_common_surfaces(m_surface, m_faces))
+  , m_common_axes(RS::find_common_axes(m_faces))
+{}
+
+std::map<std::size_t, Surface_face>
+Segmentation_details::Machine_part::faces(const std::vector<std::size_t>& labels) const
+{
+  constexpr std::size_t several = (std::numeric_limits<std::size_t>::max)();
+  std::map<std::size_t, std::size_t> parts; // by label
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    std::size_t& part = parts.emplace(labels[f], m_faces.partition[f]).first->second;
+    if (part != m_faces.partition[f])
+      part = several;
+  }
+  std::map<std::size_t, Surface_face> result;
+  std::map<std::size_t, std::size_t> labels_of_surfaces, labels_of_axes;
+  for (const auto& [label, part] : parts)
+    if (part != several)
+      result[label] = {RS::scaled<Kernel>(m_faces.surfaces[part], m_surface.unit()),
+                       m_faces.roles[part],
+                       labels_of_surfaces.emplace(m_common_surfaces[part], label).first->second,
+                       labels_of_axes.emplace(m_common_axes[part], label).first->second};
+  return result;
+}
+
+std::vector<std::vector<std::size_t>>
+Segmentation_details::Machine_part::smooth_neighbors(const std::vector<std::size_t>& labels,
+                                                     std::size_t n) const
+{
+  const RS::Partition segments = RS::Partition::from_labels(labels);
+  std::vector<std::size_t> label_of_vertex(segments.number_of_parts());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    label_of_vertex[segments[f]] = labels[f];
+  auto graph = RS::build_region_adjacency_graph<RS::Surface_face_region_data,
+                                                RS::Surface_face_section_data>(m_surface, segments);
+  RS::annotate_surface_faces(graph, m_surface, segments, m_faces);
+  std::vector<std::vector<std::size_t>> result(n);
+  for (auto range = edges(graph); range.first != range.second; ++range.first) {
+    const auto section = *range.first;
+    if (!graph[section].is_smooth())
+      continue;
+    const std::size_t a = label_of_vertex[source(section, graph)],
+                      b = label_of_vertex[target(section, graph)];
+    result[a].push_back(b);
+    result[b].push_back(a);
+  }
+  return result;
+}
 
 Segmentation_details::Segmentation_details(const Polygon_soup& soup,
                                            const Segmentation_settings& settings,
