@@ -251,6 +251,8 @@ void check_combinations(const CLI::App& app, const Raw_options& raw)
                                "--constraints", "--constraints-from", "--seeds"})
       if (app.count(labels) > 0 && app.count(option) > 0)
         throw Usage_error(std::string(option) + ": with " + labels + " nothing is segmented");
+  if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
+    throw Usage_error("--smooth-borders: borders would move across faces with seeds");
 }
 
 /// What of a segmentation -o writes. \throws Usage_error
@@ -292,8 +294,6 @@ Options checked(const CLI::App& app, const Raw_options& raw)
     options.settings.number_of_segments = whole_number("-k", raw.number_of_segments,
                                                        {1, number_of_faces});
   options.number_of_threads = whole_number("--threads", raw.number_of_threads, {0, most_threads});
-  if (app.count("--seeds") > 0 && app.count("--smooth-borders") > 0)
-    throw Usage_error("--smooth-borders: borders would move across faces with seeds");
   const double angle = options.settings.maximum_angle, tolerance = options.settings.tolerance;
   if (!(angle >= 0 && angle <= 180))
     throw Usage_error("--max-angle: an angle from 0 to 180 degrees");

@@ -97,13 +97,11 @@ Segmentation segment_by(const SegmentationMethod& method, const Polygon_soup& so
         .face_seed_map(seeds)
         .visitor(std::ref(visitor)));
   };
-  const auto start = std::chrono::steady_clock::now();
   if (needs_number || settings.number_of_segments) // by default no region is merged
     result.number_of_segments = segment(
       RS::parameters::number_of_segments(settings.number_of_segments.value_or(number_of_faces)));
   else if constexpr (!needs_number)
     result.number_of_segments = segment(RS::parameters::default_values());
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if constexpr (!needs_number)
     if (!settings.number_of_segments)
       result.largest_number = largest_number(method.chooser, result.number_of_segments,
@@ -185,7 +183,6 @@ void nest_regions(const Mesh& mesh, const std::vector<std::size_t>& segment_of_r
 void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress_listener& listener,
                     Segmentation& segmentation)
 {
-  const auto start = std::chrono::steady_clock::now();
   const Manifold manifold = make_manifold(soup);
   const std::vector<char> is_constrained = constrained_edges(manifold.mesh, soup, marks);
   std::vector<std::size_t> segments = manifold.values_of_mesh_faces(segmentation.segment_of_face),
@@ -204,8 +201,6 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
     segmentation.segment_of_face[manifold.face_of_mesh_face[f]] = segments[f];
     segmentation.region_of_face[manifold.face_of_mesh_face[f]] = regions[f];
   }
-  segmentation.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-                            .count();
 }
 
 } // namespace
@@ -214,9 +209,11 @@ Segmentation run_segmentation(const Polygon_soup& soup, const Marks& marks,
                               const Segmentation_settings& settings,
                               const Progress_listener& listener)
 {
+  const auto start = std::chrono::steady_clock::now();
   Segmentation result = segment(soup, marks, settings, listener);
   if (settings.borders == Border_treatment::SMOOTHING)
     smooth_borders(soup, marks, listener, result);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -172,13 +173,16 @@ void check_coordinates(const Output& output, const Polygon_soup& soup)
 void write_each_segment(const Output& output, const Result& result, const Labelled_mesh& mesh)
 {
   const auto faces = faces_of_segments(mesh.segment_of_face);
+  std::vector<Output> files;
   for (std::size_t segment = 0; segment + 1 < faces.size(); ++segment) {
+    files.push_back(output);
+    files.back().file = with_segment(output.file, std::to_string(segment));
+    if (resolve_links(files.back().file) == resolve_links(result.name))
+      throw Output_error(files.back().file, "would replace the input");
+  }
+  for (std::size_t segment = 0; segment < files.size(); ++segment) {
     const Mesh_part part = extract_faces(mesh, faces[segment]);
-    Output file = output;
-    file.file = with_segment(output.file, std::to_string(segment));
-    if (resolve_links(file.file) == resolve_links(result.name))
-      throw Output_error(file.file, "would replace the input");
-    write_file(file, result,
+    write_file(files[segment], result,
                {part.soup, std::vector<std::size_t>(part.soup.polygons.size(), segment), mesh.names,
                 part.properties});
   }

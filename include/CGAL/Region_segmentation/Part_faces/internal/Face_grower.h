@@ -37,7 +37,8 @@ inline double deviation_of_face(const Surface& surface, const Fitted_surface<>& 
 inline double largest_deviation(const Tessellation& mesh, const Fitted_surface<>& s,
                                 const std::vector<Surface::Index>& faces)
 {
-  constexpr double much = 10, least = 0.01, most = 0.105; // half a facet of 46 by 46 degrees
+  // Of the radius: 1 - cos of 8 degrees; what half a facet of 46 by 46 degrees deviates on average.
+  constexpr double much = 10, least = 0.01, most = 0.105;
   std::vector<double> deviations;
   for (const Surface::Index f : faces)
     deviations.push_back(deviation_of_face(mesh.surface, s, f));

@@ -25,9 +25,9 @@ namespace internal {
 /// The faces around a vertex.
 struct Vertex_star
 {
-  Double_3 normal{};        // the sum of twice their area vectors, then of length 1
-  Double_3 to_neighbors{};  // the sum over the faces, to both neighbors
-  std::uint32_t number = 0; // of the faces
+  Double_3 normal{};        ///< the sum of twice their area vectors, then of length 1
+  Double_3 to_neighbors{};  ///< the sum over the faces, to both neighbors
+  std::uint32_t number = 0; ///< of the faces
 };
 
 /// The stars of the vertices of a surface, and their heights: how far the neighbors of a vertex lie
