@@ -323,4 +323,28 @@ TEST(Number_from_costs_test, ends_where_merging_becomes_dear)
   EXPECT_EQ(RS::Number_from_costs(level)(RS::Merge_tree(3)), 3u); // three pieces, nothing to merge
 }
 
+TEST(Number_from_costs_test, the_documented_level_gives_the_known_number)
+{
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    std::mt19937 random(seed);
+    RS::Merge_tree tree(60);
+    double highest_of_all = RS::Merge_tree::least_cost;
+    for (std::uint32_t n = 60; n > 1; --n) {
+      const double cost = std::uniform_real_distribution<double>(-30, 5)(random);
+      tree.push_back({0, n - 1, cost});
+      if (n <= 40)
+        highest_of_all = (std::max)(highest_of_all, cost);
+    }
+    double before = RS::Merge_tree::least_cost; // the highest cost of the merges from 40 regions on
+    for (std::size_t k = 40; k > 1; --k) {
+      const double cost = tree.merges()[60 - k].cost;
+      if (before < cost && k < 40) {
+        EXPECT_EQ(RS::Number_from_costs(before + cost - highest_of_all)(tree), k)
+          << "seed " << seed;
+      }
+      before = (std::max)(before, cost);
+    }
+  }
+}
+
 } // namespace Superfacet_merging_test

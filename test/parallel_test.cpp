@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <random>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -160,6 +161,31 @@ TEST_P(Parallel_test, a_segmenter_gives_the_same_labels)
     sequential.segment(by_face(mesh, b), k);
     EXPECT_EQ(a, b) << "seed " << GetParam() << ", k " << k;
   }
+}
+
+/// Counts its calls by other threads than the one that made it.
+struct Thread_visitor
+{
+  std::thread::id caller = std::this_thread::get_id();
+  std::size_t calls = 0, others = 0;
+
+  bool on_progress(const char*, double)
+  {
+    ++calls;
+    others += std::this_thread::get_id() != caller;
+    return true;
+  }
+};
+
+TEST(Parallel, a_visitor_is_called_by_the_calling_thread_alone)
+{
+  const Surface_mesh mesh = bumpy_torus(1);
+  Thread_visitor visitor;
+  std::vector<std::size_t> labels;
+  RS::segment<CGAL::Parallel_tag>(mesh, by_face(mesh, labels),
+                                  RS::parameters::number_of_segments(7).visitor(std::ref(visitor)));
+  EXPECT_GT(visitor.calls, 0u);
+  EXPECT_EQ(visitor.others, 0u);
 }
 
 TEST(Parallel, the_first_point_that_is_not_finite_is_named)
