@@ -268,6 +268,19 @@ TEST(Segmenter_test, later_constraints_give_the_labels_of_a_new_segmenter)
   test_late_constraints(two_step());
 }
 
+// Noise is smoothed once, and only for a method that wants it.
+TEST(Segmenter_test, later_constraints_do_not_smooth_noise_again)
+{
+  const Surface_mesh mesh = to_surface_mesh(with_noise(sphere(4), 0.02, 1));
+  const auto first_point = [&](const auto& segmenter) { return segmenter.surface().point(0); };
+  RS::Segmenter segmenter(mesh);
+  const RS::Segmenter unsmoothed(mesh, RS::parameters::method(two_step()));
+  const auto smoothed = first_point(segmenter);
+  EXPECT_GT(norm(smoothed - first_point(unsmoothed)), 0);
+  segmenter.add_constraints(edge_map(mesh, loop_at(mesh, 0)));
+  EXPECT_EQ(norm(smoothed - first_point(segmenter)), 0);
+}
+
 TEST(Segmenter_test, constraints_that_are_cancelled_change_nothing)
 {
   const Surface_mesh mesh = fine_dumbbell();

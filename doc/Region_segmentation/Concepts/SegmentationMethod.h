@@ -35,7 +35,8 @@ Regions need not be connected. A method that cannot meet constraints or seeds th
 
 A method for parts may have a member `static constexpr bool fills_voids = true`: then it is given
 surfaces without the faces of voids (\ref RegionSegmentationVoids), whose numbers of faces are not
-those of the mesh.
+those of the mesh. With `static constexpr bool smooths_noise = true` it is given surfaces without
+noise (\ref RegionSegmentationNoise); a `Segmenter` keeps these alone.
 
 These two functions and the type `Prepared` are all that a method needs. The type that `merge()`
 returns tells whether the order of merges depends on the number of segments. A method of a user's

@@ -58,7 +58,7 @@ public:
 
   const Method& method() const { return m_prepared->method; }
 
-  /// The mesh as arrays.
+  /// The mesh as arrays; with a method that has `smooths_noise`, without its noise.
   const Surface& surface() const { return m_prepared->surface; }
 
   /// What segments consist of: the first regions as seeds change them, with their
@@ -189,8 +189,8 @@ protected:
     , m_request(internal::request_of_pack(m_input, np))
     , m_prepared(std::make_shared<const Prepared>(
         internal::method_of_pack<Method>(np),
-        internal::constrained(m_input, read_surface(execution), np), m_request.number_of_segments,
-        execution))
+        Calls::smoothed(internal::constrained(m_input, read_surface(execution), np), execution),
+        m_request.number_of_segments, execution))
     , m_merged(merge(*m_prepared, m_request, execution))
   {
     internal::check_parameters<Pack, internal::Segmenting_parameters<Input>>();

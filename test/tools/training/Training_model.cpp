@@ -5,6 +5,7 @@
 #include <CGAL/Region_segmentation/Graph/merge_regions.h>
 #include <CGAL/Region_segmentation/Superfacets/Learned_merging.h>
 #include <CGAL/Region_segmentation/Superfacets/Visibility_merging.h>
+#include <CGAL/Region_segmentation/Surface/internal/smooth_noise.h>
 #include <CGAL/Region_segmentation/Surface/make_surface.h>
 
 #include <map>
@@ -38,15 +39,17 @@ Training_model make_training_model(int number, const princeton_benchmark::Model&
   Training_model result;
   result.number = number;
   result.people = numbered_labels(model);
-  result.surface = RS::make_surface_of_polygon_soup(model.soup.points, model.soup.triangles);
+  result.surface = RS::internal::without_noise(
+    RS::make_surface_of_polygon_soup(model.soup.points, model.soup.triangles), RS::Execution());
   const Training_model::Method::Prepared prepared = method.prepare(result.surface);
-  const RS::Surface& shape = prepared.shape(result.surface);
   const RS::Patches& cells = prepared.patches.fine;
-  const std::vector<RS::Partition> draws = method.superfacets.draws(shape, prepared.patches,
-                                                                    method.number_of_draws);
+  const std::vector<RS::Partition> draws = method.superfacets.draws(
+    result.surface, prepared.patches, method.number_of_draws);
   const RS::Partition regions = composed(
-    cells.of_elements(), RS::internal::join_degenerate_regions(shape, cells, draws.front()));
-  result.graph = method.annotated_graph(shape, prepared.rays, cells, regions, RS::Execution());
+    cells.of_elements(),
+    RS::internal::join_degenerate_regions(result.surface, cells, draws.front()));
+  result.graph = method.annotated_graph(result.surface, prepared.rays, cells, regions,
+                                        RS::Execution());
   result.counts = Label_counts(std::vector<std::size_t>(regions.begin(), regions.end()),
                                regions.number_of_parts(), result.people);
   const RS::Merge_tree first_merges = RS::merge_regions(

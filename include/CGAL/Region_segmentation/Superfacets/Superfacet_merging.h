@@ -12,7 +12,6 @@
 #include <CGAL/Region_segmentation/Superfacets/Region_rays.h>
 #include <CGAL/Region_segmentation/Superfacets/Superfacets.h>
 #include <CGAL/Region_segmentation/Superfacets/internal/Patch_builder.h>
-#include <CGAL/Region_segmentation/Superfacets/internal/smooth_noise.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
 #include <CGAL/Region_segmentation/Support/Partition.h>
 #include <CGAL/Region_segmentation/Support/internal/concept_checks.h>
@@ -73,7 +72,8 @@ inline std::size_t most_central(const std::vector<Partition>& partitions,
 /// them see, merges them by a policy, and moves the borders of the segments to minimum cuts. A
 /// model of `SegmentationMethod`.
 ///
-/// A surface with noise is smoothed first (\ref RegionSegmentationNoise).
+/// `segment()` and `Segmenter` give it surfaces without their noise (\ref
+/// RegionSegmentationNoise).
 ///
 /// The superfacets decide which of nearly equal merges comes first. Since a slightly different
 /// mesh has other superfacets, a single set of them would make the segments a matter of chance. So
@@ -101,25 +101,22 @@ struct Superfacet_merging
   NumberChooser chooser;
   Superfacets superfacets = Superfacets();
   Border_straightening straightening = Border_straightening();
+  static constexpr bool smooths_noise = true;    ///< see `SegmentationMethod`
   static constexpr std::size_t most_draws = 100; ///< more take only time
   std::size_t number_of_draws = 5;               ///< in [1, `most_draws`]
 
   /// What does not depend on the wanted number of segments and on seeds.
   struct Prepared
   {
-    std::optional<Surface> smoothed; ///< the surface without its noise, if it has any
     Surface_patches patches;
     std::vector<Inward_ray> rays;  ///< of the superfacets of the first draw
     Partition regions;             ///< the superfacets of the draw that is taken, of the faces
     Merge_tree tree;               ///< their merges without seeds
     std::size_t chosen_number = 0; ///< of segments
-
-    /// The smoothed surface if there is one, else the given one.
-    const Surface& shape(const Surface& surface) const { return smoothed ? *smoothed : surface; }
   };
 
   /// `number_of_segments`: for which there are enough superfacets; 0: those of `superfacets`
-  Prepared prepare(const Surface& given, std::size_t number_of_segments = 0,
+  Prepared prepare(const Surface& surface, std::size_t number_of_segments = 0,
                    const Execution& execution = Execution()) const
   {
     internal::check_constants(policy);
@@ -134,10 +131,8 @@ struct Superfacet_merging
       "a NumberChooser needs: std::size_t operator()(const Merge_tree&, const Surface&) const");
     const Execution stage = execution.stage("regions");
     Prepared result;
-    result.smoothed = internal::without_noise(given, stage.step(0, 0.1));
-    const Surface& surface = result.shape(given);
     result.patches = internal::Patch_builder::build(surface, number_of_segments,
-                                                    stage.step(0.1, 0.6));
+                                                    stage.step(0, 0.6));
     const std::vector<Partition> draws = draws_for(surface, result.patches, number_of_segments,
                                                    stage.step(0.6, 1));
     if (const Execution rays = execution.stage("rays"); surface.area() > 0)
@@ -149,10 +144,9 @@ struct Superfacet_merging
     return result;
   }
 
-  Hierarchy merge(const Surface& given, const Prepared& prepared, const Request& request,
+  Hierarchy merge(const Surface& surface, const Prepared& prepared, const Request& request,
                   const Execution& execution = Execution()) const
   {
-    const Surface& surface = prepared.shape(given);
     const Requested_regions requested = requested_regions(surface, prepared.regions, request.seeds);
     Merge_tree tree = prepared.tree;
     std::optional<Patches> divided;

@@ -11,6 +11,7 @@
 #include <CGAL/Region_segmentation/Support/parameters.h>
 #include <CGAL/Region_segmentation/Support/version.h>
 #include <CGAL/Region_segmentation/Surface/Surface.h>
+#include <CGAL/Region_segmentation/Surface/internal/smooth_noise.h>
 #include <CGAL/Region_segmentation/Surface/internal/voids.h>
 
 #include <CGAL/assertions.h>
@@ -44,6 +45,9 @@ constexpr bool needs_number()
 /// The constant of a method that segments surfaces without their voids.
 template <typename Method>
 using Fills_voids = std::enable_if_t<Method::fills_voids>;
+/// The constant of a method that segments surfaces without their noise.
+template <typename Method>
+using Smooths_noise = std::enable_if_t<Method::smooths_noise>;
 
 template <typename Method>
 using Is_method = std::enable_if_t<std::is_base_of<Hierarchy, Merged_by<Method>>::value>;
@@ -92,6 +96,9 @@ struct Method_calls
   };
   using Merged = Merged_by<Method>;
 
+  /// The surface as the method sees it: without noise, if the method smooths it.
+  static Surface smoothed(Surface surface, const Execution& execution);
+
   /// `number`: the number of segments that was given; 0: none
   static Prepared prepare(const Method& method, const Surface& surface, std::size_t number,
                           const Execution& execution);
@@ -100,6 +107,15 @@ struct Method_calls
   static Merged merge(const Method& method, const Surface& surface, const Prepared& prepared,
                       const Request& request, const Execution& execution);
 };
+
+template <typename Method>
+Surface Method_calls<Method>::smoothed(Surface surface, const Execution& execution)
+{
+  if constexpr (satisfies<Smooths_noise, Method>)
+    return without_noise(std::move(surface), execution.stage("regions").step(0, 0));
+  else
+    return surface;
+}
 
 template <typename Method>
 typename Method_calls<Method>::Prepared
@@ -232,10 +248,10 @@ std::size_t run_method(const Input& input, Surface surface, SegmentMap& segment_
                 "segment() with this method needs the named parameter number_of_segments");
   input.check(segment_map, 0);
   const Method method = method_of_pack<Method>(np);
-  surface = constrained(input, std::move(surface), np);
+  using Calls = Method_calls<Method>;
+  surface = Calls::smoothed(constrained(input, std::move(surface), np), execution);
   Request request = request_of_pack(input, np);
   request.needs_all_numbers = has_outputs<Pack>;
-  using Calls = Method_calls<Method>;
   const auto prepared = Calls::prepare(method, surface, request.number_of_segments, execution);
   const auto result = Calls::merge(method, surface, prepared, request, execution);
   const Partition segments = result.segments(result.number_of_segments());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_SMOOTH_NOISE_H
-#define CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_SMOOTH_NOISE_H
+#ifndef CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_SMOOTH_NOISE_H
+#define CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_SMOOTH_NOISE_H
 
 #include <CGAL/Region_segmentation/Support/Double_3.h>
 #include <CGAL/Region_segmentation/Support/Execution.h>
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -99,9 +98,9 @@ struct Vertex_heights
 };
 
 /// The surface with its points moved to the height of their neighbors, except at creases, until
-/// little noise is left; nothing if there is not more noise than curvature. The more noise there
+/// little noise is left; as it is, if there is not more noise than curvature. The more noise there
 /// is, the wider is the part of the surface over which an angle is then measured. O(F).
-inline std::optional<Surface> without_noise(const Surface& surface, const Execution& execution)
+inline Surface without_noise(Surface surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
   Large_array<Double_3> points; // of the vertices, if some were moved
@@ -116,8 +115,9 @@ inline std::optional<Surface> without_noise(const Surface& surface, const Execut
     heights.smooth(points);
   }
   if (points.empty())
-    return std::nullopt;
-  Surface_builder builder(surface);
+    return surface;
+  heights = Vertex_heights(); // The next step needs the memory.
+  Surface_builder builder(std::move(surface));
   builder.set_points(std::move(points), execution);
   return builder.finish();
 }
@@ -126,4 +126,4 @@ inline std::optional<Surface> without_noise(const Surface& surface, const Execut
 } // namespace Region_segmentation
 } // namespace CGAL
 
-#endif // CGAL_REGION_SEGMENTATION_SUPERFACETS_INTERNAL_SMOOTH_NOISE_H
+#endif // CGAL_REGION_SEGMENTATION_SURFACE_INTERNAL_SMOOTH_NOISE_H
