@@ -76,7 +76,7 @@ make_npm() {
 }
 
 make_debian() {
-  install_packages $of_program dpkg-dev libtbb-dev
+  install_packages $of_program dpkg-dev libmeshoptimizer-dev libtbb-dev
   build shared segment_mesh
   cpack -G DEB --config "$work/shared/CPackConfig.cmake" -B "$work/debian" \
     -D CPACK_PACKAGE_CONTACT="${PACKAGE_CONTACT:-the contributors of CGAL_Region_segmentation}" >/dev/null

@@ -17,7 +17,7 @@ if [ $# -gt 0 ] && [ ! -r "$1" ]; then
 fi
 
 sh "$root/cmake/install_packages.sh" g++ make cmake libexpat1-dev libminizip-dev libboost-iostreams-dev libcgal-dev libcli11-dev \
-  libeigen3-dev libjs-three libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
+  libeigen3-dev libjs-three libmeshoptimizer-dev libpng-dev libtbb-dev nlohmann-json3-dev zlib1g-dev
 if [ ! -e "$root/build/bin/segment_mesh" ]; then
   # -O1 takes two thirds of the time of Release's -O3.
   configured=$(cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \

@@ -10,7 +10,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 
 packages="g++ make cmake clang-format libexpat1-dev libminizip-dev libboost-iostreams-dev libcgal-demo libcgal-dev libcli11-dev libeigen3-dev
-  libgtest-dev libjs-three libopenmesh-dev libpng-dev librapidcheck-dev libtbb-dev nlohmann-json3-dev python3 zlib1g-dev"
+  libgtest-dev libjs-three libmeshoptimizer-dev libopenmesh-dev libpng-dev librapidcheck-dev libtbb-dev nlohmann-json3-dev python3 zlib1g-dev"
 all=OFF
 if [ "${1:-}" = all ]; then
   shift

@@ -1,7 +1,7 @@
 #!/bin/sh
 # build.sh [FOLDER]: makes an npm package of the library as WebAssembly,
 # FOLDER/region-segmentation-VERSION.tgz, by default in build-npm/. It runs in node, from release 18
-# on, and in browsers.
+# on, and in browsers. REPOSITORY=URL: where its source is, as its package.json says then.
 #
 # Installs what is missing (by apt); with INSTALL_PACKAGES=no nothing is installed, and exit status 77
 # says that packages are absent. npm is not installed: that of Debian and that of node's makers exclude
@@ -29,4 +29,5 @@ em++ -std=c++17 -O2 -ffp-contract=off -fwasm-exceptions -DNDEBUG -DCGAL_DISABLE_
   -sSINGLE_FILE -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META=0 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
   -sMAXIMUM_MEMORY=4GB -sFILESYSTEM=0 -o "$build/engine.mjs"
 cd "$build"
+[ -z "${REPOSITORY:-}" ] || npm pkg set repository="$REPOSITORY"
 npm pack --silent

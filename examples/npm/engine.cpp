@@ -3,11 +3,13 @@
 // The library as WebAssembly: see index.mjs, which calls it, and build.sh.
 
 #include "segmentation/Any_segmenter.h"
+#include "segmentation/find_part_faces.h"
 #include "soup/make_soup.h"
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -31,6 +33,22 @@ val answer(const F& f)
   }
 }
 
+template <typename T>
+val typed_array(const char* type, const std::vector<T>& values)
+{
+  return val::global(type).new_(
+    val(emscripten::typed_memory_view(values.size(), values.data()))); // a copy
+}
+
+/// `points`, and `corners` and `sizes` of faces, of a request: each one after another.
+segment_mesh::Polygon_soup soup_of(const val& request)
+{
+  const auto numbers = [&](const char* name) {
+    return emscripten::convertJSArrayToNumberVector<double>(request[name]);
+  };
+  return segment_mesh::make_soup(numbers("points"), numbers("corners"), numbers("sizes"));
+}
+
 struct Segmenter
 {
   segment_mesh::Any_segmenter segmenter;
@@ -43,23 +61,19 @@ struct Segmenter
       std::vector<std::uint32_t> labels(size);
       segmenter.segment(number == 0 ? std::nullopt : std::optional<std::size_t>(number), labels,
                         RS::parameters::default_values());
-      return val::global("Uint32Array")
-        .new_(val(emscripten::typed_memory_view(labels.size(), labels.data()))); // a copy
+      return typed_array("Uint32Array", labels);
     });
   }
 };
 
-/// `request`: `points`, `corners` and `constrainedEdges` one after another; `sizes` of faces;
-/// `seeds`, empty for none; `componentLinks`.
+/// `request`: that of a soup; `constrainedEdges` one after another; `seeds`, empty for none;
+/// `componentLinks`.
 val prepare(const std::string& method, const val& request)
 {
   return answer([&] {
-    const auto numbers = [&](const char* name) {
-      return emscripten::convertJSArrayToNumberVector<double>(request[name]);
-    };
-    const auto soup = segment_mesh::make_soup(numbers("points"), numbers("corners"),
-                                              numbers("sizes"));
-    const auto edges = make_edges(soup, numbers("constrainedEdges"));
+    const auto soup = soup_of(request);
+    const auto edges = make_edges(
+      soup, emscripten::convertJSArrayToNumberVector<double>(request["constrainedEdges"]));
     auto seeds = emscripten::convertJSArrayToNumberVector<std::int32_t>(request["seeds"]);
     seeds.resize(soup.polygons.size(), -1);
     return std::make_shared<Segmenter>(
@@ -71,6 +85,53 @@ val prepare(const std::string& method, const val& request)
   });
 }
 
+/// Of a number, or of a text.
+template <typename Value>
+val to_val(const Value& value)
+{
+  return val(value);
+}
+
+template <std::size_t n>
+val to_val(const std::array<double, n>& values)
+{
+  return val::array(values.begin(), values.end());
+}
+
+/// Adds attributes to an object.
+auto adder(val& object)
+{
+  return [&object](const char* name, const auto& value) { object.set(name, to_val(value)); };
+}
+
+val part_faces(const val& request)
+{
+  return answer([&] {
+    const auto found = segment_mesh::find_part_faces(
+      soup_of(request), request["tolerance"].as<double>(), RS::parameters::default_values());
+    val faces = val::array();
+    for (const auto& face : found.faces) {
+      val object = val::object(), surface = val::object(), neighbors = val::array();
+      segment_mesh::visit_attributes_of_surface(face.surface, adder(surface));
+      segment_mesh::visit_attributes_of_face(face, adder(object));
+      for (const RS::Part_face_neighbor& n : face.neighbors) {
+        val neighbor = val::object();
+        neighbor.set("face", n.face);
+        neighbor.set("length", n.length);
+        neighbor.set("is_smooth", n.is_smooth);
+        neighbors.call<void>("push", neighbor);
+      }
+      object.set("surface", surface);
+      object.set("neighbors", neighbors);
+      faces.call<void>("push", object);
+    }
+    val result = val::object();
+    result.set("labels", typed_array("Int32Array", found.labels));
+    result.set("faces", faces);
+    return result;
+  });
+}
+
 } // namespace
 
 EMSCRIPTEN_BINDINGS(engine)
@@ -79,4 +140,5 @@ EMSCRIPTEN_BINDINGS(engine)
     .smart_ptr<std::shared_ptr<Segmenter>>("Segmenter")
     .function("segment", &Segmenter::segment);
   emscripten::function("prepare", &prepare);
+  emscripten::function("findPartFaces", &part_faces);
 }

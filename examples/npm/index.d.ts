@@ -39,3 +39,40 @@ export class Segmenter {
   /** Releases the memory, which is not collected; the segmenter cannot be used afterwards. */
   free(): void;
 }
+
+/** What a surface does not have is left out. */
+export interface Surface {
+  type: "plane" | "cylinder" | "cone" | "sphere" | "torus" | "freeform";
+  /** The largest distance of a vertex. */
+  deviation?: number;
+  /** A point of the plane or of the axis of the cylinder; an apex, a center. */
+  point?: [number, number, number];
+  /** A normal or an axis. */
+  direction?: [number, number, number];
+  /** From `point` along `direction`. */
+  extent?: [number, number];
+  /** The major one of a torus. */
+  radius?: number;
+  minorRadius?: number;
+  /** Of a cone, in degrees. */
+  halfAngle?: number;
+}
+
+export interface PartFace {
+  surface: Surface;
+  isConcave: boolean;
+  /** Fillets and rounds are blends. */
+  role?: "blend" | "hole" | "boss";
+  area: number;
+  /** The first face on the same surface, and the first one with the same axis. */
+  firstOnSurface: number;
+  firstOnAxis: number;
+  neighbors: {face: number, length: number, isSmooth: boolean}[];
+}
+
+/**
+ * The faces of a machine part as its designer drew them, and which of them each face of the mesh is of.
+ * @param options `tolerance`: how far vertices may be from their surfaces; found from the mesh by default
+ */
+export function findPartFaces(points: Rows, faces: Rows, options?: {tolerance?: number}):
+  Promise<{labels: Int32Array, faces: PartFace[]}>;

@@ -18,11 +18,12 @@ function flat(values, width, what) {
   return isNested ? values.flatMap(row => [...row]) : values;
 }
 
-function facesOf(faces) {
+function meshOf(points, faces) {
+  const mesh = {points: flat(points, 3, "points: not an array of 3 coordinates each")};
   if (Array.isArray(faces) && faces.length > 0 && faces.every(isArray))
-    return {corners: faces.flatMap(face => [...face]), sizes: faces.map(face => face.length)};
+    return {...mesh, corners: faces.flatMap(face => [...face]), sizes: faces.map(face => face.length)};
   const corners = flat(faces, 3, "faces: not an array of faces, nor of the indices of triangles");
-  return {corners, sizes: new Uint32Array(corners.length / 3).fill(3)};
+  return {...mesh, corners, sizes: new Uint32Array(corners.length / 3).fill(3)};
 }
 
 /// The engine answers with a text where it fails.
@@ -31,23 +32,36 @@ function valueOf(answer) {
   return answer;
 }
 
+/// The attributes of an object, and of objects in it, as JavaScript names them.
+function camelCased(value) {
+  if (Array.isArray(value)) return value.map(camelCased);
+  if (typeof value !== "object") return value;
+  const name = key => key.replace(/_./g, ([, letter]) => letter.toUpperCase());
+  return Object.fromEntries(Object.entries(value).map(([key, x]) => [name(key), camelCased(x)]));
+}
+
+const loadEngine = () => engine ??= makeEngine();
+
+/// See index.d.ts.
+export async function findPartFaces(points, faces, {tolerance = 0} = {}) {
+  check(Number.isFinite(tolerance) && tolerance >= 0, "tolerance: not a finite length of at least 0");
+  const {labels, faces: found} = valueOf((await loadEngine()).findPartFaces({...meshOf(points, faces), tolerance}));
+  return {labels, faces: camelCased(found)};
+}
+
 /// See index.d.ts.
 export class Segmenter {
   #prepared;
 
   static async create(points, faces, {method = "learned", constrainedEdges = [], seeds = [],
     componentLinks = true} = {}) {
-    const {corners, sizes} = facesOf(faces);
-    check(isArray(seeds) && [0, sizes.length].includes(seeds.length) && seeds.every(Number.isInteger),
+    const mesh = meshOf(points, faces);
+    check(isArray(seeds) && [0, mesh.sizes.length].includes(seeds.length) && seeds.every(Number.isInteger),
       "seeds: not an integer for each face, -1 for none");
-    const request = {
-      points: flat(points, 3, "points: not an array of 3 coordinates each"), corners, sizes,
-      constrainedEdges: flat(constrainedEdges, 2, "constrainedEdges: not pairs of indices of points"),
-      seeds, componentLinks
-    };
-    engine ??= makeEngine();
+    const pairs = flat(constrainedEdges, 2, "constrainedEdges: not pairs of indices of points");
+    const request = {...mesh, constrainedEdges: pairs, seeds, componentLinks};
     const segmenter = new Segmenter();
-    segmenter.#prepared = valueOf((await engine).prepare(String(method), request));
+    segmenter.#prepared = valueOf((await loadEngine()).prepare(String(method), request));
     return segmenter;
   }
 

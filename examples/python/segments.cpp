@@ -2,12 +2,12 @@
 
 #include "core.h"
 
+#include "segmentation/find_part_faces.h"
 #include "segmentation/make_manifold.h"
 #include "segmentation/segment_attributes.h"
 
 #include <CGAL/HalfedgeDS_default.h>
 #include <CGAL/HalfedgeDS_items_2.h>
-#include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/Region_segmentation/Segments/close_segments.h>
 #include <CGAL/Region_segmentation/Segments/describe_segments.h>
 #include <CGAL/Region_segmentation/Segments/no_segment.h>
@@ -22,8 +22,6 @@
 #include <deque>
 #include <functional>
 #include <iterator>
-#include <string>
-#include <type_traits>
 #include <utility>
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -60,31 +58,19 @@ using namespace pybind11::literals;
 
 namespace {
 
-template <typename Number, typename = std::enable_if_t<std::is_arithmetic<Number>::value>>
-py::object to_object(Number value)
+template <typename Value>
+py::object to_object(const Value& value)
 {
   return py::cast(value);
 }
 
-template <std::size_t n>
-py::object to_object(const std::array<double, n>& values)
+template <typename Value, std::size_t n>
+py::object to_object(const std::array<Value, n>& values)
 {
-  return py::tuple(py::cast(values));
-}
-
-/// Of a point or a vector.
-template <typename Triple, typename = decltype(std::declval<Triple>().x())>
-py::object to_object(const Triple& t)
-{
-  return py::make_tuple(t.x(), t.y(), t.z());
-}
-
-py::object to_object(const std::array<Kernel::Vector_3, 3>& vectors)
-{
-  py::list list;
-  for (const Kernel::Vector_3& vector : vectors)
-    list.append(to_object(vector));
-  return std::move(list);
+  py::tuple result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = to_object(values[i]);
+  return std::move(result);
 }
 
 /// Adds attributes to a dictionary.
@@ -125,24 +111,11 @@ struct Labelled_manifold : segment_mesh::Manifold_of<Mesh>
   Labels labels;
 };
 
-/// The surface that fits a segment or is that of a part face; what it does not have is None.
-py::dict to_dictionary(const RS::Fitted_surface<Kernel>& fitted)
+py::dict to_dictionary(const RS::Fitted_surface<Kernel>& surface)
 {
-  const RS::Fitted_surface<Kernel> s = segment_mesh::from_apex(fitted);
-  const auto only_if = [](bool exists, const auto& value) {
-    return exists ? to_object(value) : py::none();
-  };
-  using Kind = RS::Surface_kind;
-  const bool has_point = s.kind != Kind::FREEFORM,
-             has_direction = has_point && s.kind != Kind::SPHERE,
-             has_radius = has_point && s.kind != Kind::PLANE && s.kind != Kind::CONE;
-  return py::dict(
-    "type"_a = segment_mesh::name_of(s.kind), "deviation"_a = only_if(has_point, s.deviation),
-    "point"_a = only_if(has_point, s.point), "direction"_a = only_if(has_direction, s.direction),
-    "extent"_a = only_if(has_direction, std::array<double, 2>{s.lowest, s.highest}),
-    "radius"_a = only_if(has_radius, s.radius),
-    "minor_radius"_a = only_if(s.kind == Kind::TORUS, s.minor_radius),
-    "half_angle"_a = only_if(s.kind == Kind::CONE, s.angle * 180 / CGAL_PI));
+  py::dict result;
+  segment_mesh::visit_attributes_of_surface(surface, adder(result));
+  return result;
 }
 
 py::dict to_dictionary(const RS::Segment_description<std::int32_t, Kernel>& d)
@@ -181,28 +154,21 @@ py::dict to_dictionary(const RS::Part_face<Kernel>& face)
   for (const RS::Part_face_neighbor& n : face.neighbors)
     neighbors.append(
       py::dict("face"_a = n.face, "length"_a = n.length, "is_smooth"_a = n.is_smooth));
-  py::object role = py::none();
-  if (face.role != RS::Face_role::NONE)
-    role = py::str(segment_mesh::name_of(face.role));
-  return py::dict("surface"_a = to_dictionary(face.surface), "is_concave"_a = face.surface.side < 0,
-                  "role"_a = role, "area"_a = face.area,
-                  "first_on_surface"_a = face.first_on_surface,
-                  "first_on_axis"_a = face.first_on_axis, "neighbors"_a = neighbors);
+  py::dict result("surface"_a = to_dictionary(face.surface), "neighbors"_a = neighbors);
+  segment_mesh::visit_attributes_of_face(face, adder(result));
+  return result;
 }
 
 py::tuple find_part_faces(const Soup& soup, double tolerance, const py::object& progress)
 {
-  std::vector<RS::Part_face<Kernel>> faces;
-  const Labels labels = run(1, progress, [&](Visitor& visitor) {
-    Labelled_manifold manifold(soup);
-    RS::find_part_faces(manifold.mesh, manifold.map, std::back_inserter(faces),
-                        RS::parameters::tolerance(tolerance).visitor(std::ref(visitor)));
-    return manifold.labels_of_soup();
+  const auto found = run(1, progress, [&](Visitor& visitor) {
+    return segment_mesh::find_part_faces(soup, tolerance,
+                                         RS::parameters::visitor(std::ref(visitor)));
   });
-  py::list result;
-  for (const auto& face : faces)
-    result.append(to_dictionary(face));
-  return py::make_tuple(to_array(labels), result);
+  py::list faces;
+  for (const auto& face : found.faces)
+    faces.append(to_dictionary(face));
+  return py::make_tuple(to_array(found.labels), faces);
 }
 
 /// Of each solid its segment, coordinates, corners of all faces, their sizes, and faces of the

@@ -144,7 +144,7 @@ val describe_nodes(const val& node_of_face)
   return answer([&] {
     nlohmann::ordered_json shapes = nlohmann::ordered_json::array();
     for (const Segment_description& shape : opened->details->describe(to_indices(node_of_face)))
-      shapes.push_back(shape_json(shape.segment, shape));
+      shapes.push_back(shape_json(shape));
     val result = val::object();
     result.set("shapes", text_of(shapes));
     return result;

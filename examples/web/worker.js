@@ -1,25 +1,7 @@
 
 // What follows the code of emscripten in the worker: answers the calls of engine.js, one after the other.
 
-const engine = makeEngine().then(module => {
-  // The browser compiles what runs: before the first file comes.
-  module.open("ring.off", new TextEncoder().encode(ring(48, 24)));
-  module.segment({method: "learned", number: 0, constraints: new Uint32Array(), seeds: new Uint32Array()}, () => {});
-  return module;
-});
-
-/// A torus of long and short quads in .off.
-function ring(m, n) {
-  const points = [], faces = [];
-  for (let i = 0; i < m; ++i)
-    for (let j = 0; j < n; ++j) {
-      const [a, b] = [2 * Math.PI * i / m, 2 * Math.PI * j / n], r = 3 + Math.cos(b);
-      points.push(`${r * Math.cos(a)} ${r * Math.sin(a)} ${Math.sin(b)}`);
-      const [k, l] = [(i + 1) % m * n, (j + 1) % n];
-      faces.push(`4 ${i * n + j} ${k + j} ${k + l} ${i * n + l}`);
-    }
-  return ["OFF", `${m * n} ${m * n} 0`, ...points, ...faces, ""].join("\n");
-}
+const engine = makeEngine();
 
 async function inflated(bytes) {
   if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;

@@ -25,6 +25,7 @@ def add_object(points, faces):
     thing = bpy.data.objects.new("thing", mesh)
     bpy.context.collection.objects.link(thing)
     bpy.context.view_layer.objects.active = thing
+    thing.select_set(True)
     return mesh
 
 
@@ -37,17 +38,35 @@ def test():
     mesh = add_object(points, faces)
     mesh.materials.append(bpy.data.materials.new("of a user"))
     assert bpy.ops.object.segment_into_parts(number=5) == {"FINISHED"}
-    assert [m.name for m in mesh.materials] == ["of a user"]
-    assert bpy.ops.object.segment_into_parts(number=5, make_materials=True) == {"FINISHED"}
     labels = attribute(mesh)
     assert labels == region_segmentation.segment((points, faces), 5).tolist() and max(labels) == 4
-    assert [p.material_index for p in mesh.polygons] == labels
-    assert [m.name for m in mesh.materials] == [f"segment {i}" for i in range(5)]
-    assert len({tuple(m.diffuse_color) for m in mesh.materials}) == 5
+    colors = [[round(255 * x) for x in corner.color_srgb] for corner in mesh.color_attributes.active_color.data]
+    assert colors[::4] == [[*color, 255] for color in region_segmentation.colors(labels).tolist()]
+    assert [m.name for m in mesh.materials] == ["of a user"]
 
-    # Again, for fewer: the materials of before stay.
+    # Objects of the segments keep the material, and the rest of the mesh.
+    assert bpy.ops.object.separate_segments() == {"FINISHED"}
+    parts = [thing for thing in bpy.data.objects if " segment " in thing.name]
+    assert sorted(len(part.data.polygons) for part in parts) == sorted(labels.count(i) for i in range(5))
+    assert {m.name for part in parts for m in part.data.materials} == {"of a user"}
+    assert bpy.context.object.hide_get() and len(mesh.polygons) == 100
+
+    # Again, for fewer.
     assert bpy.ops.object.segment_into_parts(number=2) == {"FINISHED"}
-    assert max(attribute(mesh)) == 1 and len(mesh.materials) == 5
+    assert max(attribute(mesh)) == 1
+
+    # Marked faces are in parts of their own.
+    bpy.context.object.hide_set(False)
+    bpy.context.tool_settings.mesh_select_mode = False, False, True  # of faces
+    for marked in [0], [1, 2]:
+        for face in mesh.polygons:
+            face.select = face.index in marked
+        bpy.ops.object.mode_set(mode="EDIT")
+        assert bpy.ops.mesh.mark_part() == {"FINISHED"}
+        bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.object.segment_into_parts(number=2) == {"FINISHED"}
+    assert attribute(mesh)[0] != attribute(mesh)[1] == attribute(mesh)[2]
+    mesh.attributes.remove(mesh.attributes["seed"])
 
     # A chosen number.
     assert bpy.ops.object.segment_into_parts() == {"FINISHED"}

@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {readFileSync, writeFileSync} from "node:fs";
 import {test} from "node:test";
-import {segment, Segmenter} from "region-segmentation";
+import {findPartFaces, segment, Segmenter} from "region-segmentation";
 
 const [program, folder, ...meshes] = process.argv.slice(2);
 const labelsOf = file => readFileSync(file, "utf8").trim().split("\n").map(Number);
@@ -59,10 +59,43 @@ test("prepared once", async () => {
   assert.throws(() => segmenter.segment(2));
 });
 
-test("the example of the README", async () => {
-  const [, example] = readFileSync("node_modules/region-segmentation/README.md", "utf8").match(/```js\n(.*?)```/s);
-  writeFileSync("example.mjs", example);
+test("the examples of the README", async () => {
+  const [first, second] = [...readFileSync("node_modules/region-segmentation/README.md", "utf8").matchAll(/```js\n(.*?)```/gs)];
+  writeFileSync("example.mjs", first[1]);
   assert.equal(execFileSync("node", ["example.mjs"], {encoding: "utf8"}).match(/Uint32Array\(4\)/g).length, 3);
+  writeFileSync("holes.mjs", `const [points, triangles] = ${JSON.stringify(tube(2, 1, 24))};\n${second[1]}`);
+  const [, radius] = execFileSync("node", ["holes.mjs"], {encoding: "utf8"}).match(/^cylinder (\S+) /);
+  assert.ok(Math.abs(radius - 1) < 1e-9, radius);
+});
+
+// A tube round the z axis, of height 1, in quads.
+function tube(outer, inner, n) {
+  const profile = [[inner, 0], [outer, 0], [outer, 1], [inner, 1]], points = [], faces = [];
+  profile.forEach(([r, z], i) => {
+    for (let j = 0; j < n; ++j) {
+      points.push([r * Math.cos(2 * Math.PI * j / n), r * Math.sin(2 * Math.PI * j / n), z]);
+      const [next, up] = [(j + 1) % n, (i + 1) % 4 * n];
+      faces.push([i * n + j, i * n + next, up + next, up + j]);
+    }
+  });
+  return [points, faces];
+}
+
+test("the faces of a machine part", async () => {
+  const [points, quads] = tube(2, 1, 48), {labels, faces} = await findPartFaces(points, quads);
+  assert.deepEqual([...labels], [...await segment(points, quads, {method: "smooth-faces"})]);
+  assert.deepEqual(faces.map(face => face.surface.type), ["plane", "cylinder", "plane", "cylinder"]);
+  assert.deepEqual(faces.map(face => [face.role, face.isConcave, face.firstOnAxis]),
+                   [[undefined, false, 0], [undefined, false, 1], [undefined, false, 2], ["hole", true, 1]]);
+  const {radius, point, direction, extent, deviation, halfAngle} = faces[3].surface;
+  const along = extent.map(t => point[2] + t * direction[2]).sort();
+  for (const [found, expected] of [[radius, 1], [along[0], 0], [along[1], 1], [deviation, 0], [point[0], 0]])
+    assert.ok(Math.abs(found - expected) < 1e-9, `${found} ${expected}`);
+  assert.equal(halfAngle, undefined);
+  assert.deepEqual(faces[0].neighbors.map(({face, isSmooth}) => [face, isSmooth]), [[1, false], [3, false]]);
+  await assert.rejects(findPartFaces(points, quads, {tolerance: -1}), /^TypeError: tolerance: not/);
+  await assert.rejects(findPartFaces([[NaN, 0, 0], ...points.slice(1)], quads), /vertex 0 is not finite/);
+  assert.equal(new Set((await findPartFaces(points, quads, {tolerance: 3})).labels).size, 1);
 });
 
 test("constraints and seeds", async () => {

@@ -2,13 +2,16 @@
 
 // Compiled only: what the types allow, and what they refuse.
 
-import {segment, Segmenter, Options} from "region-segmentation";
+import {findPartFaces, segment, Segmenter, Options} from "region-segmentation";
 
 const points = new Float32Array(9);
 const options: Options = {method: "two-step", numberOfSegments: 2, constrainedEdges: [[0, 1]]};
 const labels: Promise<Uint32Array> = segment(points, [[0, 1, 2]], options);
 segment([[0, 0, 0], new Float64Array(3)], new Uint32Array(3), {seeds: new Int32Array(1)});
 const again: Promise<Uint32Array> = Segmenter.create(points, [[0, 1, 2]]).then(segmenter => segmenter.segment(2));
+
+const radii: Promise<(number | undefined)[]> = findPartFaces(points, [[0, 1, 2]], {tolerance: 0.1})
+  .then(({faces}) => faces.map(face => face.surface.radius));
 
 // @ts-expect-error: create() is asynchronous
 new Segmenter();

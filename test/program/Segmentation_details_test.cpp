@@ -24,8 +24,8 @@ TEST(Segmentation_details, describe_nodes_as_segments_of_partitions)
   settings.number_of_segments = 10;
   const Segmentation segmentation = run_segmentation(soup, {}, settings, {});
   constexpr std::size_t greatest = 14;
-  const std::vector<Node_description> nodes = Segmentation_details(soup, settings, segmentation)
-                                                .nodes(greatest);
+  const std::vector<Segment_description> nodes = Segmentation_details(soup, settings, segmentation)
+                                                   .nodes(greatest);
   std::size_t number_of_found = 0;
   const std::size_t least = segmentation.number_of_regions - segmentation.tree.merges().size();
   for (std::size_t k = least; k <= greatest; ++k) {
@@ -36,12 +36,12 @@ TEST(Segmentation_details, describe_nodes_as_segments_of_partitions)
     partitioned.number_of_segments = k;
     for (const Segment_description& segment :
          Segmentation_details(soup, settings, partitioned).segments())
-      number_of_found += std::any_of(nodes.begin(), nodes.end(), [&](const Node_description& node) {
-        return node.shape.number_of_faces == segment.number_of_faces &&
-               node.shape.area == segment.area &&
-               node.shape.extents == segment.extents; // a volume depends on the other segments, by
-                                                      // the caps
-      });
+      number_of_found += std::any_of(
+        nodes.begin(), nodes.end(), [&](const Segment_description& node) {
+          return node.number_of_faces == segment.number_of_faces && node.area == segment.area &&
+                 node.extents == segment.extents; // a volume depends on the other segments, by
+                                                  // the caps
+        });
   }
   EXPECT_EQ(number_of_found, (least + greatest) * (greatest - least + 1) / 2);
   EXPECT_EQ(nodes.size(), 2 * greatest - least);

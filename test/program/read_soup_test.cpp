@@ -24,6 +24,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 
 namespace read_soup_test {
@@ -233,18 +234,47 @@ TEST_F(Random_files, of_stl)
   check_all(Mesh_format::STL, make, [](auto&&... x) { return CGAL::IO::read_STL(x...); });
 }
 
+std::string file_of_transcripts(const std::string& name)
+{
+  std::ifstream in(TRANSCRIPTS "/" + name);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 /// Of glTF there is no reader of CGAL's.
 TEST_F(Random_files, of_gltf)
 {
-  std::ifstream in(TRANSCRIPTS "/tetrahedron.gltf");
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string text = file_of_transcripts("tetrahedron.gltf"),
+                    compressed = file_of_transcripts("tetrahedron_meshopt.gltf");
   for (int i = 0; i < 300 && !HasFatalFailure(); ++i) {
     const Polygon_soup soup = random_soup(6);
     std::ostringstream out;
     write_glb(out, {soup, std::vector<std::size_t>(soup.polygons.size())});
     expect_read_or_refused(Mesh_format::GLTF, changed(out.str()));
-    expect_read_or_refused(Mesh_format::GLTF, changed(text));
+    for (const std::string& file : {text, compressed})
+      expect_read_or_refused(Mesh_format::GLTF, changed(file));
   }
+}
+
+/// As gltfpack of meshoptimizer writes it, which begins with other corners.
+TEST(Compressed_gltf, is_read_where_there_is_meshoptimizer)
+{
+  const auto triangles = [](const std::string& name) {
+    const Polygon_soup soup = parse_mesh(name, Mesh_format::GLTF, file_of_transcripts(name)).soup;
+    std::set<std::vector<Point>> result;
+    for (const Polygon_soup::Polygon& polygon : soup.polygons) {
+      std::vector<Point> points;
+      for (const std::size_t i : polygon)
+        points.push_back(soup.points[i]);
+      std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+      result.insert(points);
+    }
+    return result;
+  };
+#ifdef SEGMENT_MESH_HAS_MESHOPTIMIZER
+  EXPECT_EQ(triangles("tetrahedron_meshopt.gltf"), triangles("tetrahedron.gltf"));
+#else
+  EXPECT_THROW(triangles("tetrahedron_meshopt.gltf"), Input_error);
+#endif
 }
 
 /// Appends a value to the data of a PLY file.

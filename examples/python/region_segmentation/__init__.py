@@ -14,22 +14,6 @@ data. Arguments of wrong types and shapes are a TypeError or ValueError that beg
 threads is the number of threads, None for one a core; labels do not depend on it. progress is called
 as progress(stage, fraction), with a str and a float from 0 to 1 for each stage; Cancelled is raised if
 it returns False. Ctrl-C interrupts every function that takes progress. Other threads run meanwhile.
-
-Examples
---------
-Two squares at a right angle, each of two triangles:
-
->>> import region_segmentation
->>> points = [[0, 0, 1], [0, 1, 1], [1, 0, 0], [1, 1, 0], [2, 0, 1], [2, 1, 1]]
->>> mesh = points, [[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]]
->>> labels = region_segmentation.segment(mesh, 2, method="smooth-faces")
->>> labels.tolist()
-[0, 0, 1, 1]
->>> region_segmentation.segment_borders(mesh, labels).tolist()
-[[2, 3]]
->>> first, second = region_segmentation.describe_segments(mesh, labels)
->>> print(first.number_of_faces, round(first.area, 3), first.surface.type, first.surface.radius)
-2 1.414 plane None
 """
 
 from __future__ import annotations
@@ -57,6 +41,8 @@ Labels = NDArray[np.int32]
 
 @dataclass(frozen=True)
 class Neighbor:
+    """A segment beside another one."""
+
     segment: int
     border_length: float
     mean_signed_deviation: float  # the angle between normals, positive for convex edges
@@ -67,24 +53,26 @@ class Surface:
     """What a surface does not have is None."""
 
     type: Literal["plane", "cylinder", "cone", "sphere", "torus", "freeform"]
-    deviation: Optional[float]  # the largest distance of a vertex
-    point: Optional[Triple]  # of a plane, the axis of a cylinder; an apex or a center
-    direction: Optional[Triple]  # a normal or an axis
-    extent: Optional[tuple[float, float]]  # from point along direction
-    radius: Optional[float]  # the major one of a torus
-    minor_radius: Optional[float]  # of a torus
-    half_angle: Optional[float]  # of a cone
+    deviation: Optional[float] = None  # the largest distance of a vertex
+    point: Optional[Triple] = None  # of a plane, the axis of a cylinder; an apex or a center
+    direction: Optional[Triple] = None  # a normal or an axis
+    extent: Optional[tuple[float, float]] = None  # from point along direction
+    radius: Optional[float] = None  # the major one of a torus
+    minor_radius: Optional[float] = None  # of a torus
+    half_angle: Optional[float] = None  # of a cone
 
 
 @dataclass(frozen=True)
 class Description:
+    """What a segment is like."""
+
     segment: int
     number_of_faces: int
     area: float
     volume: float  # with caps on the borders
     volume_share: float
     centroid: Triple
-    axes: list[Triple]  # principal axes, the one of largest variance first
+    axes: tuple[Triple, Triple, Triple]  # principal axes, the one of largest variance first
     extents: Triple  # of the box along the axes
     border_length: float  # to other segments
     boundary_length: float  # on the border of the mesh
@@ -95,6 +83,8 @@ class Description:
 
 @dataclass(frozen=True)
 class PartFaceNeighbor:
+    """A face beside another one."""
+
     face: int
     length: float
     is_smooth: bool
@@ -102,17 +92,21 @@ class PartFaceNeighbor:
 
 @dataclass(frozen=True)
 class PartFace:
+    """A face of a machine part."""
+
     surface: Surface
     is_concave: bool
-    role: Optional[Literal["blend", "hole", "boss"]]  # fillets and rounds are blends
     area: float
     first_on_surface: int  # the first face on the same surface
     first_on_axis: int  # the first face with the same axis
     neighbors: list[PartFaceNeighbor]
+    role: Optional[Literal["blend", "hole", "boss"]] = None  # fillets and rounds are blends
 
 
 @dataclass(frozen=True)
 class Solid:
+    """The faces of a segment, and caps that close its borders."""
+
     segment: int
     points: NDArray[np.float64]
     faces: Union[NDArray[np.int32], list[list[int]]]  # an array if all have as many corners
@@ -209,9 +203,19 @@ def _attributes(values: dict[str, Any], neighbor: type) -> dict[str, Any]:
 
 
 class Segmenter:
-    """A mesh that is prepared once, with the arguments of segment(), and segmented into any number in little time.
+    """A mesh that is prepared once, and segmented into any number in little time.
 
     Made without a mesh it is an estimator as of scikit-learn: fit() and fit_predict() take one.
+
+    Parameters
+    ----------
+    mesh, method, constrained_edges, seeds, component_links, tolerance, threads, progress
+        As of segment().
+
+    Attributes
+    ----------
+    labels_ : numpy.ndarray of int32, shape (m,)
+        Those of the last segmentation.
 
     Examples
     --------
@@ -221,7 +225,7 @@ class Segmenter:
     [[0, 0], [0, 1]]
     """
 
-    labels_: Labels  # of the last segmentation
+    labels_: Labels
     _fitted: Optional[_core.Segmenter] = None
 
     def __init__(
@@ -286,13 +290,34 @@ def segment(
 
     Parameters
     ----------
-    number_of_segments : k; by default the method chooses it. There is a UserWarning where it is impossible.
-    method : learned (parts as people see them), visibility (the same by a formula without training), two-step
-        (parts between concave creases; needs a number), or smooth-faces (the faces of machine parts).
-    constrained_edges : indices of points of shape (n, 2); these edges are borders of segments.
-    seeds : an integer for each face, -1 for none; faces with equal seeds end in one segment, others do not.
-    component_links : whether components that touch or are near each other can be in one segment.
-    tolerance : of smooth-faces: how far vertices may be from their surfaces; by default found from the mesh.
+    number_of_segments : int, optional
+        k; by default the method chooses it. A UserWarning says where it is impossible.
+    method : {"learned", "visibility", "two-step", "smooth-faces"}
+        Parts as people see them; the same by a formula without training; parts between concave creases, which
+        needs a number; the faces of machine parts.
+    constrained_edges : array_like of int, shape (n, 2), optional
+        Pairs of indices of points: these edges are borders of segments.
+    seeds : array_like of int, shape (m,), optional
+        Faces with equal seeds end in one segment, others do not; -1 is none.
+    component_links : bool
+        Whether components that touch or are near each other can be in one segment.
+    tolerance : float, optional
+        Of smooth-faces: how far vertices may be from their surfaces; by default found from the mesh.
+
+    Returns
+    -------
+    numpy.ndarray of int32, shape (m,)
+
+    Raises
+    ------
+    InvalidInput
+        Of a point that is not finite, an index out of range, seeds that cannot be met.
+
+    Examples
+    --------
+    >>> strip = [[i // 2, i % 2, 0] for i in range(8)], [[i, i + 2, i + 3, i + 1] for i in (0, 2, 4)]
+    >>> segment(strip, 2, seeds=[0, 1, -1]).tolist()
+    [0, 1, 1]
     """
     segmenter = Segmenter(
         None, method, constrained_edges, seeds, component_links, tolerance, threads=threads, progress=progress)
@@ -300,15 +325,37 @@ def segment(
 
 
 def segment_borders(mesh: Any, labels: ArrayLike) -> NDArray[np.int64]:
-    """The edges between faces of different labels: sorted indices of points, of shape (n, 2)."""
+    """The edges between faces of different labels.
+
+    Returns
+    -------
+    numpy.ndarray of int64, shape (n, 2)
+        Sorted indices of points.
+
+    Examples
+    --------
+    >>> strip = [[i // 2, i % 2, 0] for i in range(8)], [[i, i + 2, i + 3, i + 1] for i in (0, 2, 4)]
+    >>> segment_borders(strip, [0, 1, 1]).tolist()
+    [[2, 3]]
+    """
     soup = _soup(mesh)
     return _core.segment_borders(soup, _labels(soup, labels)).reshape(-1, 2)
 
 
 def describe_segments(mesh: Any, labels: ArrayLike) -> list[Description]:
-    """A Description of each segment, in the order of their first faces.
+    """Describes each segment, in the order of their first faces.
 
     What is not manifold is torn apart before; faces of fewer than three different points are left out.
+
+    Returns
+    -------
+    list of Description
+
+    Examples
+    --------
+    >>> strip = [[i // 2, i % 2, 0] for i in range(8)], [[i, i + 2, i + 3, i + 1] for i in (0, 2, 4)]
+    >>> [(d.area, d.neighbors[0].segment, d.surface.type, d.surface.radius) for d in describe_segments(strip, [0, 1, 1])]
+    [(1.0, 1, 'plane', None), (2.0, 0, 'plane', None)]
     """
     soup = _soup(mesh)
     return [Description(**_attributes(d, Neighbor)) for d in _core.describe_segments(soup, _labels(soup, labels))]
@@ -317,9 +364,19 @@ def describe_segments(mesh: Any, labels: ArrayLike) -> list[Description]:
 def find_part_faces(
     mesh: Any, tolerance: Optional[float] = None, *, progress: Optional[Progress] = None,
 ) -> tuple[Labels, list[PartFace]]:
-    """The faces of a machine part as its designer drew them: their labels, and a PartFace for each.
+    """The faces of a machine part as its designer drew them.
 
-    Faces of the mesh of fewer than three different points have the label -1. The tolerance is that of segment().
+    Parameters
+    ----------
+    tolerance : float, optional
+        As of segment().
+
+    Returns
+    -------
+    labels : numpy.ndarray of int32, shape (m,)
+        Those of segment() with smooth-faces.
+    faces : list of PartFace
+        By label.
 
     Examples
     --------
@@ -333,9 +390,16 @@ def find_part_faces(
 
 
 def close_segments(mesh: Any, labels: ArrayLike, clearance: float = 0) -> list[Solid]:
-    """A closed mesh for each segment, its faces and caps: see Solid. They fit together.
+    """Closes each segment by caps on its borders. The solids fit together.
 
-    clearance: the distance between the caps of two solids, for parts that are printed; 0 or more.
+    Parameters
+    ----------
+    clearance : float
+        The distance between the caps of two solids, for parts that are printed; at least 0.
+
+    Returns
+    -------
+    list of Solid
 
     Examples
     --------
@@ -355,25 +419,48 @@ def close_segments(mesh: Any, labels: ArrayLike, clearance: float = 0) -> list[S
 
 
 def transfer_labels(from_mesh: Any, labels: ArrayLike, to_mesh: Any) -> Labels:
-    """The labels of from_mesh for the faces of to_mesh: another mesh of the same surface, in the same place.
+    """The labels of a mesh for another mesh of the same surface, in the same place.
 
-    Faces of fewer than three different points get -1.
+    Returns
+    -------
+    numpy.ndarray of int32
+        By face of to_mesh; -1 of faces of fewer than three different points.
+
+    Examples
+    --------
+    >>> points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    >>> transfer_labels((points, [[0, 1, 2, 3]]), [7], (points, [[0, 1, 2], [0, 2, 3]])).tolist()
+    [7, 7]
     """
     source = _soup(from_mesh)
     return _core.transfer_labels(source, _labels(source, labels), _soup(to_mesh))
 
 
 def smooth_borders(mesh: Any, labels: ArrayLike, *, progress: Optional[Progress] = None) -> Labels:
-    """The labels with the borders between segments moved to where they are short and in valleys.
+    """Moves the borders between segments to where they are short and in valleys.
 
     Constrained edges of the segmentation are not known here.
+
+    Returns
+    -------
+    numpy.ndarray of int32, shape (m,)
+
+    Examples
+    --------
+    >>> strip = [[i // 2, i % 2, 0] for i in range(8)], [[i, i + 2, i + 3, i + 1] for i in (0, 2, 4)]
+    >>> smooth_borders(strip, [0, 1, 1]).tolist()
+    [0, 1, 1]
     """
     soup = _soup(mesh)
     return _core.smooth_borders(soup, _labels(soup, labels), progress)
 
 
 def colors(labels: ArrayLike) -> NDArray[np.uint8]:
-    """A color of each face, of shape (m, 3), as in pictures and files of the program; dark gray for -1.
+    """The colors of labels, as in pictures and files of the program; dark gray for -1.
+
+    Returns
+    -------
+    numpy.ndarray of uint8, shape (m, 3)
 
     Examples
     --------

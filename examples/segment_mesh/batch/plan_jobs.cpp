@@ -60,6 +60,17 @@ std::vector<Named_file> files_of(const Options& options)
   return files;
 }
 
+/// \throws Usage_error for a `{name}` of an output that stands for nothing
+void check_names(const Output& output)
+{
+  const std::string rest = with_segment(with_stem(output.file, ""), "");
+  const std::size_t begin = rest.find('{'), end = rest.find('}', begin);
+  if (end != std::string::npos)
+    throw Usage_error(option_of(output) + " " + output.file +
+                      ": there are {stem} and {segment}, not " +
+                      rest.substr(begin, end + 1 - begin));
+}
+
 /// \throws Usage_error for a file that several inputs would share
 void check_batch(const Named_file& file)
 {
@@ -143,6 +154,8 @@ Job make_job(const std::string& input, const std::string& stem, const Options& o
 std::vector<Job> plan_jobs(const Options& options)
 {
   check_standard_input(options);
+  for (const Output& output : options.outputs)
+    check_names(output);
   if (options.inputs.size() > 1)
     for (const Named_file& file : files_of(options))
       check_batch(file);

@@ -50,7 +50,8 @@ struct Job
 /// A job for each input, in order, or one for the model `demo_model`. `{stem}` in the names of
 /// outputs, truths and side files becomes the name of the input without folder and endings.
 /// \throws Usage_error for two outputs in one file, an output in the place of another file of the
-///         run, a batch without `{stem}` or to stdout, standard input without a format or twice
+///         run, a batch without `{stem}` or to stdout, standard input without a format or twice,
+///         and any other `{name}` of an output
 /// \throws Output_error for an output in a folder that is not there
 std::vector<Job> plan_jobs(const Options& options);
 

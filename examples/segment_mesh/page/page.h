@@ -37,8 +37,8 @@ struct Page_data
 /// Without descriptions of shapes, which take longer than all else.
 Page_data page_data(const Page_content& content);
 
-/// The shape of a node of the merge tree.
-nlohmann::ordered_json shape_json(std::size_t node, const Segment_description& shape);
+/// The shape of a segment that is a node of the merge tree.
+nlohmann::ordered_json shape_json(const Segment_description& shape);
 
 /// The shapes of the segments that the slider shows first.
 nlohmann::ordered_json shapes_json(const Page_content& content);

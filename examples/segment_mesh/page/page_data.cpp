@@ -173,9 +173,9 @@ Page_data page_data(const Page_content& content)
   return {content_json(content, scene, file), file.bytes()};
 }
 
-ordered_json shape_json(std::size_t node, const Segment_description& shape)
+ordered_json shape_json(const Segment_description& shape)
 {
-  ordered_json json = {{"node", node}};
+  ordered_json json = {{"node", shape.segment}};
   const ordered_json description = segment_json(shape);
   for (const char* name : {"volume", "extents", "primitive"})
     json[name] = description.at(name);
@@ -187,8 +187,8 @@ ordered_json shapes_json(const Page_content& content)
   const std::size_t n = content.segmentation.number_of_segments,
                     described = n > most_described ? least_range : (std::max)(least_range, n);
   ordered_json shapes = ordered_json::array();
-  for (const Node_description& node : content.details.nodes(described))
-    shapes.push_back(shape_json(node.node, node.shape));
+  for (const Segment_description& shape : content.details.nodes(described))
+    shapes.push_back(shape_json(shape));
   return shapes;
 }
 

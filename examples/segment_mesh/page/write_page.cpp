@@ -12,26 +12,13 @@
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
 
-#include <map>
 #include <ostream>
 
 namespace segment_mesh {
 
-/// \name The parts of a page: files of this folder, and of three.js
-/// @{
 namespace embedded {
-extern const char* const page_html;
-extern const char* const page_css;
-extern const char* const mesh_view_js;
-extern const char* const merge_tree_js;
-extern const char* const page_js;
-extern const char* const read_arrays_js;
-extern const char* const show_saved_js;
-extern const char* const three_min_js;
-extern const char* const TrackballControls_js;
-extern const char* const GLTFExporter_js;
+extern const char* const segment_mesh_html; // by make_page.cmake
 } // namespace embedded
-/// @}
 
 namespace {
 
@@ -74,30 +61,13 @@ void write_page(std::ostream& out, const Page_content& content)
   // JSON inside of a script element must not end it.
   const std::string json = boost::replace_all_copy(text_of(data.content), "<", "\\u003c"),
                     arrays = base64(compressed(data.arrays));
-  // Only a page that has the library is live.
-  const std::map<std::string, std::string> parts = {{"STYLE", embedded::page_css},
-                                                    {"LIVE", ""},
-                                                    {"ENGINE", ""},
-                                                    {"CONTENT", json},
-                                                    {"ARRAYS", arrays},
-                                                    {"THREE", embedded::three_min_js},
-                                                    {"CONTROLS", embedded::TrackballControls_js},
-                                                    {"EXPORTER", embedded::GLTFExporter_js},
-                                                    {"READ_ARRAYS", embedded::read_arrays_js},
-                                                    {"MERGE_TREE", embedded::merge_tree_js},
-                                                    {"MESH_VIEW", embedded::mesh_view_js},
-                                                    {"PAGE", embedded::page_js},
-                                                    {"START", embedded::show_saved_js}};
-  // A part takes the place of {{NAME}}.
-  const std::string page = embedded::page_html;
-  std::size_t at = 0;
-  for (std::size_t start = page.find("{{"); start != std::string::npos;
-       start = page.find("{{", at)) {
-    const std::size_t end = page.find("}}", start);
-    out << page.substr(at, start - at) << parts.at(page.substr(start + 2, end - start - 2));
-    at = end + 2;
-  }
-  out << page.substr(at);
+  const std::string page = embedded::segment_mesh_html, content_place = "{{CONTENT}}",
+                    arrays_place = "{{ARRAYS}}";
+  const std::size_t at_content = page.find(content_place),
+                    after = at_content + content_place.size(),
+                    at_arrays = page.find(arrays_place, after);
+  out << page.substr(0, at_content) << json << page.substr(after, at_arrays - after) << arrays
+      << page.substr(at_arrays + arrays_place.size());
 }
 
 } // namespace segment_mesh

@@ -8,6 +8,10 @@
 #include "read/errors.h"
 #include "soup/little_endian.h"
 
+#ifdef SEGMENT_MESH_HAS_MESHOPTIMIZER
+#include <meshoptimizer.h>
+#endif
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -58,11 +62,45 @@ std::string from_uri(const std::string& uri)
   return result;
 }
 
-/// Whether an extension changes no triangle, or only lets positions be integers.
+#ifdef SEGMENT_MESH_HAS_MESHOPTIMIZER
+constexpr const char* compression = "EXT_meshopt_compression";
+
+/// Decodes `count` elements of `stride` bytes each. Filters of normals and of animations stay:
+/// these are not read. \returns whether the bytes are as the extension says
+bool decompress(const Gltf_file::Json& compressed, std::string_view bytes, std::size_t count,
+                std::size_t stride, char* result)
+{
+  const std::string mode = compressed.at("mode");
+  const auto by = [&](const auto& decode) {
+    return decode(result, count, stride, reinterpret_cast<const unsigned char*>(bytes.data()),
+                  bytes.size()) == 0;
+  };
+  if (mode == "ATTRIBUTES") {
+    if (stride % 4 != 0 || stride > 256 || !by(meshopt_decodeVertexBuffer))
+      return false;
+    if (compressed.value("filter", "NONE") == "EXPONENTIAL")
+      meshopt_decodeFilterExp(result, count, stride);
+    return true;
+  }
+  using Decode = int (*)(void*, std::size_t, std::size_t, const unsigned char*, std::size_t);
+  return (stride == 2 || stride == 4) &&
+         ((mode == "TRIANGLES" && count % 3 == 0 && by(Decode(meshopt_decodeIndexBuffer))) ||
+          (mode == "INDICES" && by(Decode(meshopt_decodeIndexSequence))));
+}
+#else
+constexpr const char* compression = "none that is read";
+
+bool decompress(const Gltf_file::Json&, std::string_view, std::size_t, std::size_t, char*)
+{
+  return false;
+}
+#endif
+
+/// Whether an extension is read, or changes no triangle, or only lets positions be integers.
 bool is_harmless(const std::string& extension)
 {
   return is_of_gltf_materials(extension) || extension == "KHR_mesh_quantization" ||
-         extension.rfind("KHR_lights_", 0) == 0;
+         extension == compression || extension.rfind("KHR_lights_", 0) == 0;
 }
 
 bool is_compression(const std::string& extension)
@@ -196,7 +234,7 @@ void Gltf_file::read_header()
     if (!is_harmless(extension))
       fail("needs " + gltf_extension_not_read(extension));
   for (const Json& extension : list(m_json, "extensionsUsed"))
-    if (is_compression(extension))
+    if (is_compression(extension) && !is_harmless(extension))
       m_hint = ": the file uses " + gltf_extension_not_read(extension);
   for (std::size_t i = 0; m_json.contains("buffers") && i < m_json["buffers"].size(); ++i) {
     const Json& buffer = element("buffers", i);
@@ -207,6 +245,7 @@ void Gltf_file::read_header()
     if ((has_uri || !m_buffers[i].empty()) && m_buffers[i].size() < size)
       fail("has " + std::to_string(m_buffers[i].size()) + " of " + counted(size, "byte"));
   }
+  decompress_views();
 }
 
 /// The bytes of a buffer that are in its URI, or the first ones of a file of the folder of the
@@ -234,6 +273,41 @@ std::string Gltf_file::load(const std::string& uri, std::size_t size) const
   if (!in.read(bytes.data(), std::streamsize(bytes.size())))
     fail(in_quotes(uri) + " cannot be read");
   return bytes;
+}
+
+/// Replaces each buffer view that is compressed by one of a buffer of its own.
+void Gltf_file::decompress_views()
+{
+  for (std::size_t i = 0; m_json.contains("bufferViews") && i < m_json["bufferViews"].size(); ++i) {
+    const Json extensions = element("bufferViews", i).value("extensions", Json());
+    if (!extensions.contains(compression))
+      continue;
+    const Json& compressed = extensions[compression];
+    const std::size_t count = member(compressed, "count"),
+                      stride = member(compressed, "byteStride");
+    if (stride == 0 || count > m_most_numbers / stride)
+      fail("more data than a file of this size holds");
+    std::string bytes(count * stride, '\0');
+    if (!decompress(compressed, bytes_of(compressed), count, stride, bytes.data()))
+      fail("data that are not as in " + in_quotes(compression));
+    Json& view = m_json["bufferViews"][i];
+    view["buffer"] = m_buffers.size();
+    view["byteOffset"] = std::size_t(0);
+    view["byteLength"] = bytes.size();
+    m_buffers.push_back(std::move(bytes));
+  }
+}
+
+/// The bytes of a buffer view.
+std::string_view Gltf_file::bytes_of(const Json& view) const
+{
+  const std::size_t buffer = member(view, "buffer"), start = member(view, "byteOffset", 0),
+                    length = member(view, "byteLength");
+  if (buffer >= m_buffers.size() || m_buffers[buffer].empty())
+    fail("has no data" + m_hint);
+  if (start > m_buffers[buffer].size() || length > m_buffers[buffer].size() - start)
+    fail("is in a part of a buffer that goes beyond its end");
+  return std::string_view(m_buffers[buffer]).substr(start, length);
 }
 
 std::vector<double> Gltf_file::values(const Json& accessor_index, const char* type,
@@ -278,17 +352,11 @@ std::vector<double> Gltf_file::stored(const Json& place, const Json& format, std
   const bool is_normalized = format.value("normalized", false);
 
   const Json& view = m_json.at("bufferViews").at(member(place, "bufferView"));
-  const std::size_t buffer = member(view, "buffer"), start = member(view, "byteOffset", 0),
-                    length = member(view, "byteLength");
   const std::size_t size = components * size_of(type), offset = member(place, "byteOffset", 0),
                     stride = member(view, "byteStride", size);
   if (stride < size)
     fail("elements that overlap: a byteStride of " + counted(stride, "byte"));
-  if (buffer >= m_buffers.size() || m_buffers[buffer].empty())
-    fail("has no data" + m_hint);
-  if (start > m_buffers[buffer].size() || length > m_buffers[buffer].size() - start)
-    fail("is in a part of a buffer that goes beyond its end");
-  const std::string_view bytes = std::string_view(m_buffers[buffer]).substr(start, length);
+  const std::string_view bytes = bytes_of(view);
   if (count > 0 && (offset > bytes.size() || size > bytes.size() - offset ||
                     count - 1 > (bytes.size() - offset - size) / stride))
     fail("reaches beyond the end of its data");

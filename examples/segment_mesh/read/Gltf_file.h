@@ -58,7 +58,9 @@ private:
   void split(std::string_view bytes);
   void parse();
   void read_header();
+  void decompress_views();
   std::string load(const std::string& uri, std::size_t size) const;
+  std::string_view bytes_of(const Json& view) const;
   std::vector<double> stored(const Json& place, const Json& format, std::size_t count,
                              std::size_t components) const;
 

@@ -6,11 +6,11 @@
 #include "read/errors.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/unordered_map.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <system_error>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -26,28 +26,18 @@ fs::path without_gz(const fs::path& file)
 /// Of points with the same coordinates keeps the first; those that are kept stay in order.
 void merge_equal_points(Polygon_soup& soup)
 {
-  std::vector<Point>& points = soup.points;
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&points](std::size_t i, std::size_t j) {
-    return points[i] < points[j] || (!(points[j] < points[i]) && i < j);
-  });
-
-  std::vector<std::size_t> first(points.size()); // the first point at the place of each
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? first[order[k - 1]]
-                                                                        : order[k];
-
-  std::vector<std::size_t>& new_index = order;
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (first[i] == i) {
-      new_index[i] = size;
-      points[size++] = points[i];
-    } else
-      new_index[i] = new_index[first[i]];
+  std::vector<Point> points;
+  std::vector<std::size_t> new_index;
+  boost::unordered_map<Point, std::size_t> index_at;
+  index_at.reserve(soup.points.size() / 4); // a vertex of triangles that share no points is given
+                                            // six times
+  for (const Point& p : soup.points) {
+    const auto [place, is_new] = index_at.emplace(p, points.size());
+    if (is_new)
+      points.push_back(p);
+    new_index.push_back(place->second);
   }
-  points.resize(size);
+  soup.points = std::move(points);
   soup.polygons.renumber([&](std::size_t i) { return new_index[i]; });
 }
 

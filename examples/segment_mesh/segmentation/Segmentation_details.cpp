@@ -35,58 +35,28 @@ namespace {
 
 using Mesh = Manifold::Mesh;
 
-constexpr std::size_t no_node = std::size_t(-1);
-
-/// The parents of the nodes of a merge tree: regions come first, then the result of each merge.
-std::vector<std::size_t> parents_of_nodes(const RS::Merge_tree& tree)
+/// A segment that begins with a region, and its number as a node of the merge tree.
+struct First_region
 {
-  std::size_t node = tree.number_of_regions();
-  std::vector<std::size_t> parents(node + tree.merges().size(), no_node), node_of_region(node);
-  std::iota(node_of_region.begin(), node_of_region.end(), std::size_t(0));
-  for (const RS::Merge_tree::Merge& merge : tree.merges()) {
-    for (std::size_t child : {node_of_region[merge.kept], node_of_region[merge.removed]})
-      parents[child] = node;
-    node_of_region[merge.kept] = node++;
+  std::size_t region, node;
+};
+
+/// For each merge the two segments that it joins, and at last those that are left. Nodes are the
+/// regions, then the results of the merges.
+std::vector<std::vector<First_region>> joined_segments(const RS::Merge_tree& tree)
+{
+  std::vector<std::vector<First_region>> result;
+  std::vector<std::size_t> node(tree.number_of_regions());
+  std::iota(node.begin(), node.end(), std::size_t(0));
+  std::set<std::size_t> left(node.begin(), node.end());
+  for (const auto& [kept, removed, cost] : tree.merges()) {
+    result.push_back({{kept, node[kept]}, {removed, node[removed]}});
+    node[kept] = node.size() + result.size() - 1;
+    left.erase(removed);
   }
-  return parents;
-}
-
-/// The nodes of all partitions into at most `number_of_segments`, in groups of disjoint ones: of
-/// one height above those of them that have no child among them.
-std::vector<std::vector<std::size_t>> disjoint_nodes(const std::vector<std::size_t>& parents,
-                                                     std::size_t number_of_regions,
-                                                     std::size_t number_of_segments)
-{
-  std::vector<std::vector<std::size_t>> groups;
-  if (2 * number_of_regions - parents.size() > number_of_segments) // the roots are more
-    return groups;
-  std::vector<std::size_t> heights(parents.size());
-  for (std::size_t node = 0; node < parents.size(); ++node) {
-    // Merge i gives the node R + i and leaves R - i - 1 segments, so its children are segments of
-    // R - i.
-    const std::size_t parent = parents[node];
-    if (parent != no_node && 2 * number_of_regions - parent > number_of_segments)
-      continue;
-    groups.resize((std::max)(groups.size(), heights[node] + 1));
-    groups[heights[node]].push_back(node);
-    if (parent != no_node)
-      heights[parent] = (std::max)(heights[parent], heights[node] + 1);
-  }
-  return groups;
-}
-
-/// For each region the one of `nodes` that contains it, or `no_node`.
-std::vector<std::size_t> nodes_of_regions(const std::vector<std::size_t>& nodes,
-                                          const std::vector<std::size_t>& parents,
-                                          std::size_t number_of_regions)
-{
-  std::vector<std::size_t> result(parents.size(), no_node);
-  for (std::size_t node : nodes)
-    result[node] = node;
-  for (std::size_t node = parents.size(); node-- > 0;)
-    if (result[node] == no_node && parents[node] != no_node)
-      result[node] = result[parents[node]];
-  result.resize(number_of_regions);
+  result.emplace_back();
+  for (const std::size_t region : left)
+    result.back().push_back({region, node[region]});
   return result;
 }
 
@@ -397,32 +367,33 @@ std::vector<std::size_t> Segmentation_details::colors(Coloring coloring,
   return result;
 }
 
-std::vector<Node_description> Segmentation_details::nodes(std::size_t number_of_segments) const
+std::vector<Segment_description> Segmentation_details::nodes(std::size_t number_of_segments) const
 {
-  const std::size_t number_of_regions = m_segmentation.tree.number_of_regions();
-  const std::vector<std::size_t> parents = parents_of_nodes(m_segmentation.tree);
-  const auto groups = disjoint_nodes(parents, number_of_regions, number_of_segments);
+  const RS::Merge_tree& tree = m_segmentation.tree;
+  const std::size_t number_of_regions = tree.number_of_regions(),
+                    number_of_merges = tree.merges().size(),
+                    first = number_of_regions - (std::min)(number_of_segments, number_of_regions);
+  if (first > number_of_merges) // even the segments that are left are more
+    return {};
+  const std::vector<std::vector<First_region>> joined = joined_segments(tree);
   manifold(), machine_part(); // made by this thread
-  std::vector<std::vector<Segment_description>> shapes(groups.size());
+  std::vector<std::vector<Segment_description>> shapes(number_of_merges + 1);
   const RS::Execution execution = RS::internal::make_execution<CGAL::Parallel_if_available_tag>(
     RS::parameters::default_values());
-  execution.for_each(0, groups.size(), [&](std::size_t i) {
-    const std::vector<std::size_t> node_of_region = nodes_of_regions(groups[i], parents,
-                                                                     number_of_regions);
-    std::vector<std::size_t> node_of_face;
-    node_of_face.reserve(m_segmentation.region_of_face.size());
+  execution.for_each(first, shapes.size(), [&](std::size_t i) {
+    const RS::Partition segments = tree.partition_at_count(number_of_regions - i);
+    std::vector<std::size_t> node_of_segment(segments.number_of_parts(),
+                                             std::size_t(RS::no_segment)),
+      node_of_face;
+    for (const First_region& segment : joined[i])
+      node_of_segment[segments[segment.region]] = segment.node;
     for (std::size_t region : m_segmentation.region_of_face)
-      node_of_face.push_back(node_of_region[region]);
+      node_of_face.push_back(node_of_segment[segments[region]]);
     shapes[i] = describe(node_of_face);
   });
-  std::vector<Node_description> result;
-  for (std::vector<Segment_description>& group : shapes)
-    for (Segment_description& shape : group) {
-      const std::size_t node = shape.segment;
-      result.push_back({node, std::move(shape)});
-    }
-  std::sort(result.begin(), result.end(),
-            [](const auto& a, const auto& b) { return a.node < b.node; });
+  std::vector<Segment_description> result;
+  for (std::vector<Segment_description>& of_merge : shapes)
+    std::move(of_merge.begin(), of_merge.end(), std::back_inserter(result));
   return result;
 }
 

@@ -93,13 +93,6 @@ struct Solids
   std::vector<std::size_t> segment_of_face;
 };
 
-/// A description of a node of the merge tree: the regions, then the result of each merge.
-struct Node_description
-{
-  std::size_t node;
-  Segment_description shape;
-};
-
 /// What outputs contain beside the labels; computed from them when it is asked for. Lines and
 /// shapes are those of `make_manifold()`.
 class Segmentation_details
@@ -127,8 +120,9 @@ public:
   /// that of the kind of its surface.
   std::vector<std::size_t> colors(Coloring coloring, const std::vector<std::size_t>& labels,
                                   std::size_t n) const;
-  /// Of the segments of all partitions into at most `number_of_segments`.
-  std::vector<Node_description> nodes(std::size_t number_of_segments) const;
+  /// Of the segments of all partitions into at most `number_of_segments`. Their numbers are those
+  /// of nodes of the merge tree: the regions, then the result of each merge.
+  std::vector<Segment_description> nodes(std::size_t number_of_segments) const;
   /// Of any labels of the faces, except of `no_segment`; of each that `make_manifold()` leaves a
   /// face.
   std::vector<Segment_description> describe(const std::vector<std::size_t>& labels) const;

@@ -3,6 +3,7 @@
 #include "segmentation/run_segmentation.h"
 
 #include "segmentation/Manifold.h"
+#include "soup/Edge_list.h"
 
 #include <CGAL/Region_segmentation/Graph/Number_range.h>
 #include <CGAL/Region_segmentation/Part_faces/Smooth_faces.h>
@@ -16,7 +17,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -138,22 +138,19 @@ Segmentation segment(const Polygon_soup& soup, const Marks& marks,
   return by(RS::Learned_merging());
 }
 
-/// The constrained edges, by coordinates: points of the soup may be several at one place.
-std::vector<char> constrained_edges(const Mesh& mesh, const Polygon_soup& soup, const Marks& marks)
+/// By edge of the mesh. Points of the soup may be several at one place.
+std::vector<char> constrained_edges(const Manifold& manifold, const Polygon_soup& soup,
+                                    const Marks& marks)
 {
-  const auto sorted = [](std::array<Point, 2> ends) {
-    std::sort(ends.begin(), ends.end());
-    return ends;
-  };
-  std::set<std::array<Point, 2>> edges;
-  for (const Vertex_pair& edge : marks.constrained_edges)
-    edges.insert(sorted({soup.points[edge[0]], soup.points[edge[1]]}));
-  const auto point = [&](auto v) {
-    return Point{mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
-  };
-  std::vector<char> result(mesh.number_of_edges());
-  for (const auto e : mesh.edges())
-    result[e] = edges.count(sorted({point(mesh.vertex(e, 0)), point(mesh.vertex(e, 1))})) > 0;
+  const Edge_list edges(soup);
+  std::set<Vertex_pair> constrained;
+  for (const auto& [a, b] : marks.constrained_edges)
+    constrained.insert(edges.edge(a, b));
+  const auto point = [&](Mesh::Vertex_index v) { return manifold.point_of_mesh_point[v]; };
+  std::vector<char> result;
+  for (const auto e : manifold.mesh.edges())
+    result.push_back(constrained.count(edges.edge(point(manifold.mesh.vertex(e, 0)),
+                                                  point(manifold.mesh.vertex(e, 1)))) > 0);
   return result;
 }
 
@@ -184,7 +181,7 @@ void smooth_borders(const Polygon_soup& soup, const Marks& marks, const Progress
                     Segmentation& segmentation)
 {
   const Manifold manifold = make_manifold(soup);
-  const std::vector<char> is_constrained = constrained_edges(manifold.mesh, soup, marks);
+  const std::vector<char> is_constrained = constrained_edges(manifold, soup, marks);
   std::vector<std::size_t> segments = manifold.values_of_mesh_faces(segmentation.segment_of_face),
                            regions = manifold.values_of_mesh_faces(segmentation.region_of_face),
                            segment_of_region(segmentation.number_of_regions);

@@ -7,14 +7,23 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 namespace segment_mesh {
 
-/// \name The attributes of segments as outputs and the Python module have them
-/// Angles are in degrees. `add(name, value)` is called for each attribute, in their order.
+/// Of a point or a vector.
+template <typename Triple>
+std::array<double, 3> coordinates(const Triple& t)
+{
+  return {t.x(), t.y(), t.z()};
+}
+
+/// \name The attributes of segments as outputs and the modules of other languages have them
+/// Angles are in degrees. `add(name, value)` is called for each attribute, in their order: a
+/// number, a text, or an array of numbers or of arrays.
 /// @{
 
 /// \param segment a `Segment_description`
@@ -24,8 +33,9 @@ void visit_attributes(const Description& segment, const Add& add)
   add("area", segment.area);
   add("volume", segment.volume);
   add("volume_share", segment.volume_share);
-  add("centroid", segment.centroid);
-  add("axes", segment.axes);
+  add("centroid", coordinates(segment.centroid));
+  add("axes", std::array{coordinates(segment.axes[0]), coordinates(segment.axes[1]),
+                         coordinates(segment.axes[2])});
   add("extents", segment.extents);
   add("border_length", segment.border_length);
   add("boundary_length", segment.boundary_length);
@@ -52,19 +62,42 @@ inline const char* name_of(CGAL::Region_segmentation::Face_role role)
   return names[std::size_t(role)];
 }
 
-/// The surface whose `point` is the apex if it is a cone, which has no radius there.
-template <typename Kernel>
-CGAL::Region_segmentation::Fitted_surface<Kernel>
-from_apex(CGAL::Region_segmentation::Fitted_surface<Kernel> surface)
+/// Of a fitted surface, those that it has. The point of a cone is its apex, where its radius is 0.
+template <typename Kernel, typename Add>
+void visit_attributes_of_surface(const CGAL::Region_segmentation::Fitted_surface<Kernel>& surface,
+                                 const Add& add)
 {
-  if (surface.kind == CGAL::Region_segmentation::Surface_kind::CONE) {
-    const double to_apex = surface.radius / std::tan(surface.angle);
-    surface.point = surface.apex();
-    surface.radius = 0;
-    surface.lowest += to_apex;
-    surface.highest += to_apex;
-  }
-  return surface;
+  using Kind = CGAL::Region_segmentation::Surface_kind;
+  const Kind kind = surface.kind;
+  add("type", name_of(kind));
+  if (kind == Kind::FREEFORM)
+    return;
+  const bool is_cone = kind == Kind::CONE;
+  const double apex = is_cone ? surface.radius / std::tan(surface.angle) : 0;
+  add("deviation", surface.deviation);
+  add("point", coordinates(is_cone ? surface.apex() : surface.point));
+  if (kind != Kind::SPHERE)
+    add("direction", coordinates(surface.direction));
+  if (kind != Kind::PLANE && !is_cone)
+    add("radius", surface.radius);
+  if (kind == Kind::TORUS)
+    add("minor_radius", surface.minor_radius);
+  if (is_cone)
+    add("half_angle", surface.angle * 180 / CGAL_PI);
+  if (kind != Kind::SPHERE)
+    add("extent", std::array<double, 2>{surface.lowest + apex, surface.highest + apex});
+}
+
+/// Of a `Part_face`, without its surface and neighbors.
+template <typename Part_face, typename Add>
+void visit_attributes_of_face(const Part_face& face, const Add& add)
+{
+  add("is_concave", face.surface.side < 0);
+  if (face.role != CGAL::Region_segmentation::Face_role::NONE)
+    add("role", name_of(face.role));
+  add("area", face.area);
+  add("first_on_surface", face.first_on_surface);
+  add("first_on_axis", face.first_on_axis);
 }
 /// @}
 

@@ -6,22 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 namespace segment_mesh {
 
 namespace {
-
-void make_unique(std::vector<std::size_t>& numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
-std::size_t place_of(std::size_t number, const std::vector<std::size_t>& sorted)
-{
-  return std::size_t(std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
-}
 
 /// Of the corners of some faces.
 template <typename Value>
@@ -31,20 +21,15 @@ Corner_values<Value> extract_values(const Corner_values<Value>& all, const Polyg
   Corner_values<Value> result;
   if (all.empty())
     return result;
-  std::vector<std::size_t> used;
+  std::map<Polygons::Index, Polygons::Index> new_place = {{all.none, all.none}};
   for (std::size_t f : faces)
     for (std::size_t i = 0, first = polygons.first_corner(f); i < polygons[f].size(); ++i) {
-      const Polygons::Index place = all.of_corner[first + i];
-      result.of_corner.push_back(place);
-      if (place != all.none)
-        used.push_back(place);
+      const Polygons::Index old = all.of_corner[first + i];
+      const auto [place, is_new] = new_place.emplace(old, Polygons::Index(result.values.size()));
+      if (is_new)
+        result.values.push_back(all.values[old]);
+      result.of_corner.push_back(place->second);
     }
-  make_unique(used);
-  for (std::size_t place : used)
-    result.values.push_back(all.values[place]);
-  for (Polygons::Index& place : result.of_corner)
-    if (place != all.none)
-      place = Polygons::Index(place_of(place, used));
   return result;
 }
 
@@ -103,10 +88,13 @@ Mesh_part extract_faces(const Labelled_mesh& mesh, const std::vector<std::size_t
     part.soup.polygons.push_back(polygon);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
-  make_unique(points);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   for (std::size_t i : points)
     part.soup.points.push_back(mesh.soup.points[i]);
-  part.soup.polygons.renumber([&](std::size_t i) { return place_of(i, points); });
+  part.soup.polygons.renumber([&](std::size_t i) {
+    return std::lower_bound(points.begin(), points.end(), i) - points.begin();
+  });
 
   part.properties.library = properties.library;
   part.properties.colors = extract_values(properties.colors, mesh.soup.polygons, faces);
