@@ -83,8 +83,7 @@ TEST(Design, numbers_become_round_in_spite_of_noise)
     EXPECT_NE(radius["from"], 1);
   }
   for (const Json& face : report["faces"])
-    if (face.contains("radius"))
-      EXPECT_NEAR(face["radius"], 1, 1e-9);
+    EXPECT_NEAR(face.value("radius", 1.0), 1, 1e-9);
   EXPECT_FALSE(round_numbers(report, "distance").empty());
   EXPECT_TRUE(report_of(mesh, Design_intent::AS_FOUND)["relations"].empty());
 }

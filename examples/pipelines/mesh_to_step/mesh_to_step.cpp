@@ -56,6 +56,8 @@ Options read_options(int argc, char** argv)
       result.report = argv[++i];
     else if (word == "--unit" && i + 1 < argc)
       result.unit = unit_of_name(argv[++i]);
+    else if (word.rfind("--", 0) == 0)
+      throw std::runtime_error(word + " is no option, or lacks its value");
     else
       result.files.push_back(word);
   }
