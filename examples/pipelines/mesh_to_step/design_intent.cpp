@@ -35,30 +35,15 @@ using Square = internal::Surface_matrix;
 constexpr int size_of_move = Move::RowsAtCompileTime;
 constexpr double rounding = 1e-8;
 
-bool is_plane(const Shape& s)
-{
-  return s.kind == Kind::PLANE;
-}
-
-bool is_sphere(const Shape& s)
-{
-  return s.kind == Kind::SPHERE;
-}
-
-bool has_axis(const Shape& s)
-{
-  return s.has_axis();
-}
-
-bool has_direction(const Shape& s)
-{
-  return is_plane(s) || has_axis(s);
-}
+using Kinds = std::set<Kind>;
+const Kinds with_axis{Kind::CYLINDER, Kind::CONE, Kind::TORUS},
+  with_direction{Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::TORUS},
+  with_spine{Kind::CYLINDER, Kind::SPHERE, Kind::TORUS};
 
 /// Whether the surface has one distance from its spine: a point, line or circle.
 bool has_spine(const Shape& s)
 {
-  return is_sphere(s) || s.kind == Kind::CYLINDER || s.kind == Kind::TORUS;
+  return with_spine.count(s.kind) > 0;
 }
 
 /// The distance of a surface from its spine.
@@ -193,7 +178,7 @@ private:
   bool add_round(const std::string& name, std::size_t first, std::size_t second,
                  const Number& number);
   std::vector<Faces> relate(const std::string& name, const Faces& faces, const Residual& residual);
-  Faces those(const Faces& faces, bool (*is_one)(const Shape&)) const;
+  Faces those(const Faces& faces, const Kinds& kinds) const;
   void find_angles(const std::vector<Faces>& parallel);
   void find_places(const std::vector<Faces>& parallel, const Faces& spheres);
   void find_sizes(const Faces& by_area);
@@ -208,7 +193,8 @@ private:
   std::vector<std::vector<Vector>> m_points;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector>> m_border_points;
   std::vector<Square> m_squares; ///< of the derivatives of distances, damped
-  std::vector<Move> m_slopes;    ///< of half the sum of squared distances
+  std::vector<Move> m_slopes;    ///< of half the sum of the squared distances
+  double m_cost = 0;             ///< that sum
   double m_error = 0;            ///< of a point: the standard deviation
   std::vector<Relation> m_relations;
 };
@@ -257,6 +243,7 @@ void Design::linearize()
   constexpr double damping = 1e-7;
   m_squares.assign(m_shapes.size(), damping * Square::Identity());
   m_slopes.assign(m_shapes.size(), Move::Zero());
+  m_cost = 0;
   for (std::size_t i = 0; i < m_shapes.size(); ++i)
     if (m_shapes[i].kind != Kind::FREEFORM) {
       const internal::Surface_derivatives derivatives(m_shapes[i]);
@@ -265,6 +252,7 @@ void Design::linearize()
         const double d = derivatives(p, slope);
         m_squares[i] += slope * slope.transpose();
         m_slopes[i] += d * slope;
+        m_cost += d * d;
       }
     }
 }
@@ -272,15 +260,12 @@ void Design::linearize()
 /// The standard deviation of a distance, of those of all points.
 double Design::error_of_points() const
 {
-  double sum = 0, freedom = 1;
+  double freedom = 1;
   for (std::size_t i = 0; i < m_shapes.size(); ++i)
-    if (m_shapes[i].kind != Kind::FREEFORM) {
+    if (m_shapes[i].kind != Kind::FREEFORM)
       freedom += (std::max)(0.0, double(m_points[i].size()) -
                                    internal::degrees_of_freedom(m_shapes[i].kind));
-      for (const Vector& p : m_points[i])
-        sum += std::pow(signed_distance(m_shapes[i], p), 2);
-    }
-  return (std::max)(rounding, std::sqrt(sum / freedom));
+  return (std::max)(rounding, std::sqrt(m_cost / freedom));
 }
 
 /// Adds a relation that holds within four standard errors, if these are small enough.
@@ -341,11 +326,12 @@ std::vector<Design::Faces> Design::relate(const std::string& name, const Faces& 
   return groups;
 }
 
-Design::Faces Design::those(const Faces& faces, bool (*is_one)(const Shape&)) const
+/// The faces of these kinds.
+Design::Faces Design::those(const Faces& faces, const Kinds& kinds) const
 {
   Faces result;
   std::copy_if(faces.begin(), faces.end(), std::back_inserter(result),
-               [&](std::size_t face) { return is_one(m_shapes[face]); });
+               [&](std::size_t face) { return kinds.count(m_shapes[face].kind) > 0; });
   return result;
 }
 
@@ -391,8 +377,8 @@ void Design::find_places(const std::vector<Faces>& parallel, const Faces& sphere
 {
   Faces places = spheres, largest_planes;
   for (const Faces& faces : parallel) {
-    const auto planes = relate("coplanar", those(faces, is_plane), height),
-               axes = relate("coaxial", those(faces, has_axis), distance_of_axes);
+    const auto planes = relate("coplanar", those(faces, {Kind::PLANE}), height),
+               axes = relate("coaxial", those(faces, with_axis), distance_of_axes);
     for (const Faces& plane : planes)
       places.push_back(plane.front());
     for (const Faces& axis : axes) {
@@ -413,7 +399,7 @@ void Design::find_places(const std::vector<Faces>& parallel, const Faces& sphere
 
 void Design::find_sizes(const Faces& by_area)
 {
-  relate("equal radius", those(by_area, has_spine), difference_of_radii);
+  relate("equal radius", those(by_area, with_spine), difference_of_radii);
   for (const std::size_t i : by_area) {
     const Kind kind = m_shapes[i].kind;
     if (has_spine(m_shapes[i]))
@@ -433,10 +419,10 @@ void Design::find_relations()
   std::iota(by_area.begin(), by_area.end(), 0);
   std::stable_sort(by_area.begin(), by_area.end(),
                    [&](std::size_t i, std::size_t j) { return m_faces[i].area > m_faces[j].area; });
-  const std::vector<Faces> parallel = relate("parallel", those(by_area, has_direction),
+  const std::vector<Faces> parallel = relate("parallel", those(by_area, with_direction),
                                              cross_of_directions);
   find_angles(parallel);
-  find_places(parallel, those(by_area, is_sphere));
+  find_places(parallel, those(by_area, {Kind::SPHERE}));
   find_sizes(by_area);
   find_tangent_faces();
 }
