@@ -6,8 +6,9 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=${1:-$root/build-full}
 mkdir -p "$work"
-sh "$root/cmake/install_packages.sh" clang clang-tools llvm g++ cmake gcovr make python3 libcgal-dev libeigen3-dev libgtest-dev \
-  libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev debootstrap
+sh "$root/cmake/install_packages.sh" clang clang-tools llvm freecad-python3 g++ cmake gcovr make python3 libcgal-dev libeigen3-dev \
+  libgtest-dev libocct-data-exchange-dev libopenmesh-dev libcli11-dev libpng-dev librapidcheck-dev libtbb-dev nlohmann-json3-dev \
+  python3-gmsh python3-numpy debootstrap
 
 suite() # NAME COMPILER BUILD-TYPE FLAGS CTEST-ARGUMENT...
 {

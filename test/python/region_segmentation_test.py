@@ -355,6 +355,27 @@ def test_show(monkeypatch):
         assert (found_faces == faces).all() and (colors == region_segmentation.colors(labels)).all()
 
 
+def test_step(monkeypatch, tmp_path):
+    """By mesh_to_step, of which this is one that tells what it was given; without it there is a reason."""
+    part, arguments, program = tmp_path / "part.step", tmp_path / "arguments", tmp_path / "mesh_to_step"
+    monkeypatch.setenv("PATH", str(tmp_path))
+    mesh = [[0.1, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
+    with pytest.raises(FileNotFoundError, match="mesh_to_step is not on the PATH"):
+        region_segmentation.to_step(mesh, part)
+    program.write_text(f"""#!/bin/sh
+while read line; do echo "$line"; done <"$1"
+echo "$@" >{arguments}
+echo '{{"is_right": true}}' >"$6"
+[ "$4" = inch ]
+""")
+    program.chmod(0o755)
+    assert region_segmentation.to_step(mesh, part, unit="inch", as_found=True) == {"is_right": True}
+    _, to, *rest = arguments.read_text().split()
+    assert to == str(part) and rest[:3] == ["--unit", "inch", "--report"] and rest[4:] == ["--as-found"]
+    with pytest.raises(ValueError, match="to_step: OFF 4 2 0\n0.1 0.0 0.0\n(.*\n){3}3 0 1 2\n3 0 2 3"):
+        region_segmentation.to_step(mesh, part)
+
+
 def test_examples_of_the_documentation():
     assert doctest.testmod(region_segmentation).failed == 0 < doctest.testmod(region_segmentation).attempted
 

@@ -3,6 +3,7 @@
 #include "design_intent.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Region_segmentation/Part_faces/internal/fit_surface.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Dense>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -22,145 +24,129 @@ namespace mesh_to_step {
 
 namespace {
 
+namespace internal = RS::internal;
 using Kind = RS::Surface_kind;
-using Vector = Eigen::Vector3d;
-
-constexpr int size_of_shape = 9;
-/// Point, direction, radius, minor radius and angle of a surface, of which its kind may use some.
-using Numbers = Eigen::Matrix<double, size_of_shape, 1>;
-
+using Vector = RS::Double_3;
 /// A surface of a part of size 1.
-struct Shape
-{
-  Kind kind;
-  Numbers x;
+using Shape = RS::Fitted_surface<>;
+using Move = internal::Surface_vector;
+using Square = internal::Surface_matrix;
 
-  Vector point() const { return x.head<3>(); }
-  Vector direction() const { return x.segment<3>(3).normalized(); }
-  bool has_direction() const { return kind != Kind::SPHERE && kind != Kind::FREEFORM; }
-  bool has_axis() const { return has_direction() && kind != Kind::PLANE; }
-  /// Whether the surface has one distance, its radius, from its spine: a point, line or circle.
-  bool has_spine() const
-  {
-    return kind == Kind::CYLINDER || kind == Kind::SPHERE || kind == Kind::TORUS;
-  }
-  double radius() const { return x[kind == Kind::TORUS ? 7 : 6]; }
-};
+constexpr int size_of_move = Move::RowsAtCompileTime;
+constexpr double rounding = 1e-8;
+
+using Kinds = std::set<Kind>;
+const Kinds with_axis{Kind::CYLINDER, Kind::CONE, Kind::TORUS},
+  with_direction{Kind::PLANE, Kind::CYLINDER, Kind::CONE, Kind::TORUS},
+  with_spine{Kind::CYLINDER, Kind::SPHERE, Kind::TORUS};
+
+/// Whether the surface has one distance from its spine: a point, line or circle.
+bool has_spine(const Shape& s)
+{
+  return with_spine.count(s.kind) > 0;
+}
+
+/// The distance of a surface from its spine.
+double radius(const Shape& s)
+{
+  return s.kind == Kind::TORUS ? s.minor_radius : s.radius;
+}
 
 double signed_distance(const Shape& s, const Vector& p)
 {
-  const Vector d = p - s.point();
-  const double z = d.dot(s.direction()), r = (d - z * s.direction()).norm();
-  switch (s.kind) {
-  case Kind::CYLINDER:
-    return r - s.x[6];
-  case Kind::CONE:
-    return (r - s.x[6]) * std::cos(s.x[8]) - z * std::sin(s.x[8]);
-  case Kind::SPHERE:
-    return d.norm() - s.x[6];
-  case Kind::TORUS:
-    return std::hypot(r - s.x[6], z) - s.x[7];
-  default:
-    return z;
-  }
+  return internal::Surface_distance(s)(p);
 }
 
 /// The point of the spine next to `p`.
 Vector spine_point(const Shape& s, const Vector& p)
 {
-  const Vector along = (p - s.point()).dot(s.direction()) * s.direction();
-  if (s.kind == Kind::CYLINDER)
-    return s.point() + along;
-  if (s.kind == Kind::TORUS)
-    return s.point() + s.x[6] * (p - s.point() - along).normalized();
-  return s.point();
+  return p - (s.side * (signed_distance(s, p) + radius(s))) * internal::surface_normal(s, p);
 }
 
-/// Moves the point of a cylinder or cone, which may be any of the axis, to the one next to `p`.
-void move_back_along_axis(Shape& s, const Vector& p)
+Eigen::Vector3d vector(const Vector& v)
 {
-  const double z = (p - s.point()).dot(s.direction());
-  if (s.kind == Kind::CYLINDER || s.kind == Kind::CONE)
-    s.x.head<3>() += z * s.direction();
-  if (s.kind == Kind::CONE)
-    s.x[6] += z * std::tan(s.x[8]);
+  return {v.x, v.y, v.z};
 }
 
-/// A function of two surfaces that is 0 where a relation of them holds.
-using Residual = std::function<Eigen::VectorXd(const Shape&, const Shape&)>;
+double largest(const Vector& v)
+{
+  return vector(v).lpNorm<Eigen::Infinity>();
+}
+
+/// A function of two surfaces that is 0 where a relation of them holds; of one number, it is the
+/// first.
+using Residual = std::function<Vector(const Shape&, const Shape&)>;
+
+Vector cross_of_directions(const Shape& s, const Shape& t)
+{
+  return cross(s.direction, t.direction);
+}
+
+Vector dot_of_directions(const Shape& s, const Shape& t)
+{
+  return {dot(s.direction, t.direction), 0, 0};
+}
+
+/// The vector from the axis of the first surface to the point of the second one.
+Vector distance_of_axes(const Shape& s, const Shape& t)
+{
+  const Vector d = t.point - s.point;
+  return d - dot(d, s.direction) * s.direction;
+}
+
+Vector height(const Shape& s, const Shape& t)
+{
+  return {dot(t.point - s.point, s.direction), 0, 0};
+}
+
+Vector difference_of_radii(const Shape& s, const Shape& t)
+{
+  return {radius(t) - radius(s), 0, 0};
+}
+
+/// The vector between the spines where they should touch.
+Vector distance_of_spines(const Shape& s, const Shape& t)
+{
+  const Vector p = spine_point(s, t.point);
+  return spine_point(t, p) - p;
+}
+
+double angle_of_directions(const Shape& s, const Shape& t)
+{
+  return std::acos(std::clamp(dot(s.direction, t.direction), -1.0, 1.0));
+}
+
+/// The derivatives of a residual by moves of the first surface, and by those of the second.
+using Slopes = Eigen::Matrix<double, 3, 2 * size_of_move, Eigen::DontAlign>;
+
+Slopes slopes_of(const Residual& residual, const Shape& s, const Shape& t)
+{
+  constexpr double step = 1e-6;
+  const internal::Surface_derivatives first(s), second(t);
+  Slopes result;
+  const auto set_column = [&](int i, const Vector& above, const Vector& below) {
+    result.col(i) = vector((1 / (2 * step)) * (above - below));
+  };
+  for (int i = 0; i < size_of_move; ++i) {
+    const Move d = step * Move::Unit(i);
+    set_column(i, residual(first.moved(d), t), residual(first.moved(-d), t));
+    set_column(size_of_move + i, residual(s, second.moved(d)), residual(s, second.moved(-d)));
+  }
+  return result;
+}
+
+/// A number of a design, of one surface or two.
+struct Number
+{
+  std::function<double(const Shape&, const Shape&)> value; ///< angles in radians
+  bool is_angle = false;
+};
 
 struct Relation
 {
   Relation_of_faces name;
   Residual residual;
 };
-
-Eigen::VectorXd number(double x)
-{
-  return Eigen::VectorXd::Constant(1, x);
-}
-
-Eigen::VectorXd cross_of_directions(const Shape& s, const Shape& t)
-{
-  return s.direction().cross(t.direction());
-}
-
-Eigen::VectorXd dot_of_directions(const Shape& s, const Shape& t)
-{
-  return number(s.direction().dot(t.direction()));
-}
-
-/// The vector from the axis of the first surface to the point of the second one.
-Eigen::VectorXd distance_of_axes(const Shape& s, const Shape& t)
-{
-  const Vector d = t.point() - s.point();
-  return d - d.dot(s.direction()) * s.direction();
-}
-
-Eigen::VectorXd height(const Shape& s, const Shape& t)
-{
-  return number((t.point() - s.point()).dot(s.direction()));
-}
-
-Eigen::VectorXd difference_of_radii(const Shape& s, const Shape& t)
-{
-  return number(t.radius() - s.radius());
-}
-
-/// The vector between the spines where they should touch.
-Eigen::VectorXd distance_of_spines(const Shape& s, const Shape& t)
-{
-  const Vector p = spine_point(s, t.point());
-  return spine_point(t, p) - p;
-}
-
-/// The derivatives of a function of shapes, which returns a vector, by their numbers.
-template <typename Function>
-Eigen::MatrixXd derivatives(const Function& f, std::vector<Shape> shapes)
-{
-  constexpr double step = 1e-6;
-  Eigen::MatrixXd result;
-  for (std::size_t s = 0; s < shapes.size(); ++s)
-    for (int i = 0; i < size_of_shape; ++i) {
-      const double x = shapes[s].x[i];
-      shapes[s].x[i] = x + step;
-      const Eigen::VectorXd above = f(shapes);
-      shapes[s].x[i] = x - step;
-      const Eigen::VectorXd below = f(shapes);
-      shapes[s].x[i] = x;
-      if (result.size() == 0)
-        result.resize(above.size(), Eigen::Index(shapes.size()) * size_of_shape);
-      result.col(Eigen::Index(s) * size_of_shape + i) = (above - below) / (2 * step);
-    }
-  return result;
-}
-
-/// The derivatives of a residual: by the numbers of the first surface, and by those of the second.
-Eigen::MatrixXd slopes_of(const Residual& residual, const Shape& first, const Shape& second)
-{
-  return derivatives([&](const std::vector<Shape>& s) { return residual(s[0], s[1]); },
-                     {first, second});
-}
 
 /// The surfaces of a part, the points that they were fitted to, and their relations.
 class Design
@@ -179,34 +165,37 @@ public:
   void write(Part_faces& faces) const;
 
 private:
-  using Matrix = Eigen::Matrix<double, size_of_shape, size_of_shape>;
   using Faces = std::vector<std::size_t>;
 
-  Shape shape(const Fitted_surface& s) const;
-  double deviation(std::size_t face) const;
+  Vector in_unit(const Point& p) const;
   double error_of(const Relation& r) const;
   double error_of(std::size_t face) const;
   void linearize();
   double error_of_points() const;
+  bool add(const Relation& relation, double most_error);
   bool add(const std::string& name, std::size_t first, std::size_t second,
            const Residual& residual);
-  bool add_to_one(const std::string& name, const Faces& firsts, std::size_t second,
-                  const Residual& residual);
-  void find_directions(const Faces& by_area);
+  bool add_round(const std::string& name, std::size_t first, std::size_t second,
+                 const Number& number);
+  std::vector<Faces> relate(const std::string& name, const Faces& faces, const Residual& residual);
+  Faces those(const Faces& faces, const Kinds& kinds) const;
+  void find_angles(const std::vector<Faces>& parallel);
+  void find_places(const std::vector<Faces>& parallel, const Faces& spheres);
+  void find_sizes(const Faces& by_area);
   void find_tangent_faces();
   Eigen::VectorXd move() const;
 
   const Part_faces& m_faces;
-  Vector m_center;
+  Point m_center;
   double m_size;
   std::vector<Shape> m_shapes;
   std::vector<Shape> m_found; ///< the shapes before any was moved
   std::vector<std::vector<Vector>> m_points;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector>> m_border_points;
-  std::vector<Matrix> m_squares; ///< of the derivatives of distances, damped
-  std::vector<Numbers> m_slopes; ///< of the sum of squared distances
+  std::vector<Square> m_squares; ///< of the derivatives of distances, damped
+  std::vector<Move> m_slopes;    ///< of half the sum of the squared distances
+  double m_cost = 0;             ///< that sum
   double m_error = 0;            ///< of a point: the standard deviation
-  std::vector<Faces> m_parallel; ///< the largest face of each group first
   std::vector<Relation> m_relations;
 };
 
@@ -215,121 +204,135 @@ Design::Design(const Mesh& mesh, const Labels& labels, const Part_faces& faces)
   , m_points(faces.size())
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  const Vector low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
-  m_center = (low + high) / 2;
-  m_size = (high - low).norm();
-  for (const auto& face : faces)
-    m_shapes.push_back(shape(face.surface));
+  const Point low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+  m_center = CGAL::midpoint(low, high);
+  m_size = std::sqrt(CGAL::squared_distance(low, high));
+  for (const auto& face : faces) {
+    const Fitted_surface& s = face.surface;
+    Shape shape = internal::surface_of_kind(s.kind, in_unit(s.point),
+                                            {s.direction.x(), s.direction.y(), s.direction.z()});
+    shape.radius = s.radius / m_size;
+    shape.minor_radius = s.minor_radius / m_size;
+    shape.angle = s.angle;
+    shape.side = s.side;
+    m_shapes.push_back(shape);
+  }
   m_found = m_shapes;
   for (auto v : vertices(mesh)) {
     std::set<std::size_t> around;
     for (auto f : faces_around_target(halfedge(v, mesh), mesh))
       if (f != Mesh::null_face())
         around.insert(labels[f]);
-    const Point& p = mesh.point(v);
-    const Vector q = (Vector(p.x(), p.y(), p.z()) - m_center) / m_size;
     for (const std::size_t face : around) {
-      m_points[face].push_back(q);
+      m_points[face].push_back(in_unit(mesh.point(v)));
       for (const std::size_t other : around)
-        m_border_points[{face, other}].push_back(q);
+        m_border_points[{face, other}].push_back(m_points[face].back());
     }
   }
 }
 
-Shape Design::shape(const Fitted_surface& s) const
+Vector Design::in_unit(const Point& p) const
 {
-  Shape result{s.kind, Numbers::Zero()};
-  result.x.head<3>() = (Vector(s.point.x(), s.point.y(), s.point.z()) - m_center) / m_size;
-  result.x.segment<3>(3) << s.direction.x(), s.direction.y(), s.direction.z();
-  result.x.tail<3>() << s.radius / m_size, s.minor_radius / m_size, s.angle;
-  return result;
-}
-
-double Design::deviation(std::size_t face) const
-{
-  double result = 0;
-  for (const Vector& p : m_points[face])
-    result = (std::max)(result, std::fabs(signed_distance(m_shapes[face], p)));
-  return result;
+  const Kernel::Vector_3 d = (p - m_center) / m_size;
+  return {d.x(), d.y(), d.z()};
 }
 
 /// Writes the equations of least squares of each surface.
 void Design::linearize()
 {
   constexpr double damping = 1e-7;
-  m_squares.assign(m_shapes.size(), damping * Matrix::Identity());
-  m_slopes.assign(m_shapes.size(), Numbers::Zero());
+  m_squares.assign(m_shapes.size(), damping * Square::Identity());
+  m_slopes.assign(m_shapes.size(), Move::Zero());
+  m_cost = 0;
   for (std::size_t i = 0; i < m_shapes.size(); ++i)
-    if (m_shapes[i].kind != Kind::FREEFORM)
+    if (m_shapes[i].kind != Kind::FREEFORM) {
+      const internal::Surface_derivatives derivatives(m_shapes[i]);
+      Move slope;
       for (const Vector& p : m_points[i]) {
-        const auto distance = [&](const std::vector<Shape>& s) {
-          return number(signed_distance(s[0], p));
-        };
-        const Numbers slope = derivatives(distance, {m_shapes[i]}).transpose();
+        const double d = derivatives(p, slope);
         m_squares[i] += slope * slope.transpose();
-        m_slopes[i] += distance({m_shapes[i]})[0] * slope;
+        m_slopes[i] += d * slope;
+        m_cost += d * d;
       }
+    }
 }
 
 /// The standard deviation of a distance, of those of all points.
 double Design::error_of_points() const
 {
-  constexpr double unknowns[] = {3, 5, 6, 4, 7}, rounding = 1e-8;
-  double sum = 0, freedom = 1;
+  double freedom = 1;
   for (std::size_t i = 0; i < m_shapes.size(); ++i)
-    if (m_shapes[i].kind != Kind::FREEFORM) {
-      freedom += (std::max)(0.0, double(m_points[i].size()) - unknowns[int(m_shapes[i].kind)]);
-      for (const Vector& p : m_points[i])
-        sum += std::pow(signed_distance(m_shapes[i], p), 2);
-    }
-  return (std::max)(rounding, std::sqrt(sum / freedom));
+    if (m_shapes[i].kind != Kind::FREEFORM)
+      freedom += (std::max)(0.0, double(m_points[i].size()) -
+                                   internal::degrees_of_freedom(m_shapes[i].kind));
+  return (std::max)(rounding, std::sqrt(m_cost / freedom));
 }
 
-/// Adds a relation that holds within four standard errors.
-bool Design::add(const std::string& name, std::size_t first, std::size_t second,
-                 const Residual& residual)
+/// Adds a relation that holds within four standard errors, if these are small enough.
+bool Design::add(const Relation& relation, double most_error)
 {
-  constexpr double errors = 4, rounding = 1e-8, most = 0.01;
-  const Eigen::VectorXd r = residual(m_shapes[first], m_shapes[second]);
-  if (r.cwiseAbs().maxCoeff() > most)
-    return false;
-  const Eigen::MatrixXd by_numbers = slopes_of(residual, m_shapes[first], m_shapes[second]);
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(r.size());
-  for (const auto& [face, column] : {std::make_pair(first, 0), {second, size_of_shape}}) {
-    const Eigen::MatrixXd slopes = by_numbers.middleCols(column, size_of_shape);
-    variance += (slopes * m_squares[face].inverse() * slopes.transpose()).diagonal();
+  constexpr double errors = 4;
+  const auto& [name, residual] = relation;
+  const Shape &s = m_shapes[name.first], &t = m_shapes[name.second];
+  const Slopes slopes = slopes_of(residual, s, t);
+  Eigen::Vector3d variance = Eigen::Vector3d::Zero();
+  for (const auto& [face, column] : {std::make_pair(name.first, 0), {name.second, size_of_move}}) {
+    const auto own = slopes.middleCols<size_of_move>(column);
+    variance += (own * m_squares[face].inverse() * own.transpose()).diagonal();
   }
-  for (Eigen::Index i = 0; i < r.size(); ++i)
-    if (std::fabs(r[i]) > rounding + errors * m_error * std::sqrt(variance[i]))
-      return false;
-  m_relations.push_back({{name, first, second}, residual});
+  const Eigen::Array3d error = rounding + errors * m_error * variance.array().sqrt();
+  if (error[0] > most_error || (vector(residual(s, t)).array().abs() > error).any())
+    return false;
+  m_relations.push_back(relation);
   return true;
 }
 
-/// Adds the relation to the first face that has it; returns whether one has.
-bool Design::add_to_one(const std::string& name, const Faces& firsts, std::size_t second,
-                        const Residual& residual)
+bool Design::add(const std::string& name, std::size_t first, std::size_t second,
+                 const Residual& residual)
 {
-  return std::any_of(firsts.begin(), firsts.end(),
-                     [&](std::size_t first) { return add(name, first, second, residual); });
+  constexpr double most = 0.01, any = std::numeric_limits<double>::infinity();
+  return largest(residual(m_shapes[first], m_shapes[second])) < most &&
+         add({{name, first, second}, residual}, any);
 }
 
-void Design::find_directions(const Faces& by_area)
+/// Adds the relation that a number, which is not 0, is the next round one.
+bool Design::add_round(const std::string& name, std::size_t first, std::size_t second,
+                       const Number& number)
 {
-  for (const std::size_t face : by_area) {
-    if (!m_shapes[face].has_direction())
-      continue;
-    const auto group = std::find_if(m_parallel.begin(), m_parallel.end(), [&](const Faces& faces) {
-      return add("parallel", faces.front(), face, cross_of_directions);
+  const double unit = number.is_angle ? 180 / CGAL_PI : m_size, step = number.is_angle ? 0.5 : 0.01;
+  const double from = unit * number.value(m_shapes[first], m_shapes[second]),
+               to = step * std::round(from / step);
+  const Residual residual = [=, value = number.value](const Shape& s, const Shape& t) {
+    return Vector{value(s, t) - to / unit, 0, 0};
+  };
+  return to != 0 && std::fabs(from - to) < step / 10 &&
+         add({{name, first, second, from, to}, residual}, step / 10 / unit);
+}
+
+/// Groups faces: each gets the relation to the first face of a group, or begins a group.
+std::vector<Design::Faces> Design::relate(const std::string& name, const Faces& faces,
+                                          const Residual& residual)
+{
+  std::vector<Faces> groups;
+  for (const std::size_t face : faces) {
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Faces& others) {
+      return add(name, others.front(), face, residual);
     });
-    if (group != m_parallel.end()) {
+    if (group == groups.end())
+      groups.push_back({face});
+    else
       group->push_back(face);
-      continue;
-    }
-    for (const Faces& faces : m_parallel)
-      add("perpendicular", faces.front(), face, dot_of_directions);
-    m_parallel.push_back({face});
   }
+  return groups;
+}
+
+/// The faces of these kinds.
+Design::Faces Design::those(const Faces& faces, const Kinds& kinds) const
+{
+  Faces result;
+  std::copy_if(faces.begin(), faces.end(), std::back_inserter(result),
+               [&](std::size_t face) { return kinds.count(m_shapes[face].kind) > 0; });
+  return result;
 }
 
 /// Of two surfaces that are tangent, the spine of the second is as far from the first as its
@@ -342,11 +345,10 @@ void Design::find_tangent_faces()
       const std::size_t j = neighbor.face;
       const Shape &s = m_shapes[i], &t = m_shapes[j];
       const auto& points = m_border_points[{i, j}];
-      if (!neighbor.is_smooth || points.empty() || !t.has_spine() || s.kind == Kind::FREEFORM)
+      if (!neighbor.is_smooth || points.empty() || !has_spine(t) || s.kind == Kind::FREEFORM)
         continue;
       const Vector center = spine_point(t, points.front());
-      if (s.has_spine() &&
-          (center - spine_point(s, points.front())).norm() < coincident * t.radius()) {
+      if (has_spine(s) && norm(center - spine_point(s, points.front())) < coincident * radius(t)) {
         if (t.kind != Kind::CYLINDER && add("tangent", i, j, distance_of_spines))
           add("equal radius", i, j, difference_of_radii);
         continue;
@@ -355,9 +357,58 @@ void Design::find_tangent_faces()
       const double sign = signed_distance(s, center) > 0 ? 1 : -1;
       for (std::size_t k = 0; k < points.size(); k += step)
         add("tangent", i, j, [p = points[k], sign](const Shape& first, const Shape& second) {
-          return number(signed_distance(first, spine_point(second, p)) - sign * second.radius());
+          return Vector{signed_distance(first, spine_point(second, p)) - sign * radius(second), 0,
+                        0};
         });
     }
+}
+
+void Design::find_angles(const std::vector<Faces>& parallel)
+{
+  for (auto second = parallel.begin(); second != parallel.end(); ++second)
+    for (auto first = parallel.begin(); first != second; ++first)
+      if (!add("perpendicular", first->front(), second->front(), dot_of_directions))
+        add_round("angle", first->front(), second->front(), {angle_of_directions, true});
+}
+
+/// Planes and axes that coincide, spheres on axes, and distances from the largest plane and axis of
+/// each direction.
+void Design::find_places(const std::vector<Faces>& parallel, const Faces& spheres)
+{
+  Faces places = spheres, largest_planes;
+  for (const Faces& faces : parallel) {
+    const auto planes = relate("coplanar", those(faces, {Kind::PLANE}), height),
+               axes = relate("coaxial", those(faces, with_axis), distance_of_axes);
+    for (const Faces& plane : planes)
+      places.push_back(plane.front());
+    for (const Faces& axis : axes) {
+      places.push_back(axis.front());
+      for (const std::size_t sphere : spheres)
+        add("coaxial", axis.front(), sphere, distance_of_axes);
+      add_round("distance", axes.front().front(), axis.front(),
+                {[](const Shape& s, const Shape& t) { return norm(distance_of_axes(s, t)); }});
+    }
+    if (!planes.empty())
+      largest_planes.push_back(planes.front().front());
+  }
+  for (const std::size_t plane : largest_planes)
+    for (const std::size_t place : places)
+      add_round("distance", plane, place,
+                {[](const Shape& s, const Shape& t) { return std::fabs(height(s, t).x); }});
+}
+
+void Design::find_sizes(const Faces& by_area)
+{
+  relate("equal radius", those(by_area, with_spine), difference_of_radii);
+  for (const std::size_t i : by_area) {
+    const Kind kind = m_shapes[i].kind;
+    if (has_spine(m_shapes[i]))
+      add_round("radius", i, i, {[](const Shape& s, const Shape&) { return radius(s); }});
+    if (kind == Kind::TORUS)
+      add_round("major radius", i, i, {[](const Shape& s, const Shape&) { return s.radius; }});
+    if (kind == Kind::CONE)
+      add_round("half angle", i, i, {[](const Shape& s, const Shape&) { return s.angle; }, true});
+  }
 }
 
 void Design::find_relations()
@@ -368,57 +419,45 @@ void Design::find_relations()
   std::iota(by_area.begin(), by_area.end(), 0);
   std::stable_sort(by_area.begin(), by_area.end(),
                    [&](std::size_t i, std::size_t j) { return m_faces[i].area > m_faces[j].area; });
-  find_directions(by_area);
-  for (const Faces& group : m_parallel) {
-    Faces planes, axes;
-    for (const std::size_t face : group)
-      if (m_shapes[face].has_axis()) {
-        if (!add_to_one("coaxial", axes, face, distance_of_axes))
-          axes.push_back(face);
-      } else if (!add_to_one("coplanar", planes, face, height))
-        planes.push_back(face);
-    for (const std::size_t face : by_area)
-      if (m_shapes[face].kind == Kind::SPHERE)
-        add_to_one("coaxial", axes, face, distance_of_axes);
-  }
-  Faces radii;
-  for (const std::size_t face : by_area)
-    if (m_shapes[face].has_spine() && !add_to_one("equal radius", radii, face, difference_of_radii))
-      radii.push_back(face);
+  const std::vector<Faces> parallel = relate("parallel", those(by_area, with_direction),
+                                             cross_of_directions);
+  find_angles(parallel);
+  find_places(parallel, those(by_area, {Kind::SPHERE}));
+  find_sizes(by_area);
   find_tangent_faces();
 }
 
-/// The move of all numbers by which the linear equations of distances and of relations, these of a
+/// The move of all surfaces by which the linear equations of distances and of relations, these of a
 /// large weight, have least squares.
 Eigen::VectorXd Design::move() const
 {
   constexpr double weight = 1e8; // of the square of a residual
-  const auto n = Eigen::Index(m_shapes.size()) * size_of_shape;
+  const auto n = Eigen::Index(m_shapes.size()) * size_of_move;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-  const auto add_block = [&](std::size_t i, std::size_t j, const Eigen::MatrixXd& block) {
-    for (int k = 0; k < size_of_shape; ++k)
-      for (int l = 0; l < size_of_shape; ++l)
-        entries.emplace_back(int(i) * size_of_shape + k, int(j) * size_of_shape + l, block(k, l));
+  const auto add_block = [&](std::size_t i, std::size_t j, const Square& block) {
+    for (int k = 0; k < size_of_move; ++k)
+      for (int l = 0; l < size_of_move; ++l)
+        entries.emplace_back(int(i) * size_of_move + k, int(j) * size_of_move + l, block(k, l));
+  };
+  const auto add_right = [&](std::size_t i, const Move& x) {
+    right.segment<size_of_move>(Eigen::Index(i) * size_of_move) -= x;
   };
   for (std::size_t i = 0; i < m_shapes.size(); ++i) {
     add_block(i, i, m_squares[i]);
-    right.segment<size_of_shape>(Eigen::Index(i) * size_of_shape) -= m_slopes[i];
+    add_right(i, m_slopes[i]);
   }
   for (const Relation& relation : m_relations) {
     const std::size_t faces[] = {relation.name.first, relation.name.second};
     const Shape &s = m_shapes[faces[0]], &t = m_shapes[faces[1]];
-    const Eigen::VectorXd r = relation.residual(s, t);
-    const Eigen::MatrixXd slopes = slopes_of(relation.residual, s, t),
-                          squares = weight * slopes.transpose() * slopes;
+    const Eigen::Vector3d r = vector(relation.residual(s, t));
+    const Slopes slopes = slopes_of(relation.residual, s, t);
     for (int i = 0; i < 2; ++i) {
-      const Eigen::MatrixXd own = slopes.middleCols(i * size_of_shape, size_of_shape);
-      right.segment<size_of_shape>(Eigen::Index(faces[i]) * size_of_shape) -= weight *
-                                                                              own.transpose() * r;
+      const auto own = slopes.middleCols<size_of_move>(i * size_of_move);
+      add_right(faces[i], weight * own.transpose() * r);
       for (int j = 0; j < 2; ++j)
-        add_block(
-          faces[i], faces[j],
-          squares.block<size_of_shape, size_of_shape>(i * size_of_shape, j * size_of_shape));
+        add_block(faces[i], faces[j],
+                  weight * own.transpose() * slopes.middleCols<size_of_move>(j * size_of_move));
     }
   }
   Eigen::SparseMatrix<double> matrix(n, n);
@@ -433,9 +472,9 @@ void Design::solve()
     linearize();
     const Eigen::VectorXd moves = move();
     for (std::size_t i = 0; i < m_shapes.size(); ++i) {
-      m_shapes[i].x += moves.segment<size_of_shape>(Eigen::Index(i) * size_of_shape);
-      m_shapes[i].x.segment<3>(3).normalize();
-      move_back_along_axis(m_shapes[i], m_found[i].point());
+      const Move own = moves.segment<size_of_move>(Eigen::Index(i) * size_of_move);
+      m_shapes[i] = internal::Surface_derivatives(m_shapes[i]).moved(own);
+      internal::move_along_axis(m_shapes[i], m_found[i].point);
     }
   }
 }
@@ -443,9 +482,7 @@ void Design::solve()
 /// How far a relation is from holding, in rounding errors.
 double Design::error_of(const Relation& r) const
 {
-  constexpr double rounding = 1e-8;
-  const Shape &s = m_shapes[r.name.first], &t = m_shapes[r.name.second];
-  return r.residual(s, t).cwiseAbs().maxCoeff() / rounding;
+  return largest(r.residual(m_shapes[r.name.first], m_shapes[r.name.second])) / rounding;
 }
 
 /// How far the points of a surface are from it, by what they may be.
@@ -454,19 +491,24 @@ double Design::error_of(std::size_t face) const
   constexpr double most = 2, errors = 6;
   if (m_shapes[face].kind == Kind::FREEFORM)
     return 0;
-  return deviation(face) /
+  return internal::largest_distance(m_shapes[face], m_points[face]) /
          (std::max)(most * m_faces[face].surface.deviation / m_size, errors * m_error);
 }
 
 bool Design::drop_wrong_relations()
 {
   const auto drop = [&](const auto& error) {
-    double worst = 1;
-    for (const Relation& r : m_relations)
-      worst = (std::max)(worst, error(r));
-    const auto first = std::remove_if(
-      m_relations.begin(), m_relations.end(),
-      [&](const Relation& r) { return error(r) > (std::max)(1.0, worst / 2); });
+    double worst[] = {1, 1}; // of relations; of round numbers, which give way to these
+    for (const Relation& r : m_relations) {
+      double& of_kind = worst[r.name.is_round_number()];
+      of_kind = (std::max)(of_kind, error(r));
+    }
+    const bool are_round = worst[1] > 1;
+    const auto first = std::remove_if(m_relations.begin(), m_relations.end(),
+                                      [&](const Relation& r) {
+                                        return r.name.is_round_number() == are_round &&
+                                               error(r) > (std::max)(1.0, worst[are_round] / 2);
+                                      });
     const bool result = first != m_relations.end();
     m_relations.erase(first, m_relations.end());
     return result;
@@ -482,26 +524,12 @@ bool Design::drop_wrong_relations()
 
 void Design::write(Part_faces& faces) const
 {
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Shape& s = m_shapes[i];
-    if (s.kind == Kind::FREEFORM)
-      continue;
-    Fitted_surface& surface = faces[i].surface;
-    const Vector p = m_center + m_size * s.point(), d = s.direction();
-    surface.point = {p.x(), p.y(), p.z()};
-    surface.direction = {d.x(), d.y(), d.z()};
-    surface.radius = m_size * s.x[6];
-    surface.minor_radius = m_size * s.x[7];
-    surface.angle = s.x[8];
-    surface.deviation = m_size * deviation(i);
-    surface.lowest = std::numeric_limits<double>::infinity();
-    surface.highest = -surface.lowest;
-    for (const Vector& q : m_points[i]) {
-      const double z = m_size * (q - s.point()).dot(d);
-      surface.lowest = (std::min)(surface.lowest, z);
-      surface.highest = (std::max)(surface.highest, z);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (Shape s = m_shapes[i]; s.kind != Kind::FREEFORM) {
+      internal::measure(s, m_points[i]);
+      faces[i].surface = RS::scaled<Kernel>(s, m_size);
+      faces[i].surface.point += m_center - CGAL::ORIGIN;
     }
-  }
 }
 
 } // namespace
@@ -518,9 +546,9 @@ Design_log set_design_intent(const Mesh& mesh, const Labels& face_of_triangle, P
     design.solve();
   std::set<std::tuple<std::string, std::size_t, std::size_t>> told;
   for (const Relation& relation : design.relations())
-    if (const auto& [name, i, j] = relation.name;
-        told.emplace(name, (std::min)(i, j), (std::max)(i, j)).second)
-      result.relations.push_back(relation.name);
+    if (const Relation_of_faces& r = relation.name;
+        told.emplace(r.name, (std::min)(r.first, r.second), (std::max)(r.first, r.second)).second)
+      result.relations.push_back(r);
   design.write(faces);
   return result;
 }

@@ -12,11 +12,15 @@
 namespace mesh_to_step {
 
 /// What two faces were given: "parallel", "perpendicular", "coaxial", "coplanar", "equal radius" or
-/// "tangent".
+/// "tangent"; or a round number, in units of the mesh or degrees: "distance" or "angle", of one
+/// face "radius", "major radius" or "half angle".
 struct Relation_of_faces
 {
   std::string name;
-  std::size_t first, second;
+  std::size_t first, second; ///< equal if it is of one face
+  double from = 0, to = 0;   ///< of a round number, which is not 0
+
+  bool is_round_number() const { return to != 0; }
 };
 
 /// What was changed.
@@ -27,8 +31,10 @@ struct Design_log
 };
 
 /// Moves the surfaces of faces so that relations that they have within their errors hold exactly,
-/// by least squares: the distances of the vertices stay as small as the relations allow. Relations
-/// that contradict others, or with which vertices would be too far from their surfaces, are left.
+/// by least squares: the distances of the vertices stay as small as the relations allow. Lengths
+/// become multiples of .01, and angles of .5 degrees, where the errors are less than a tenth of
+/// these. Relations that contradict others, round numbers first, or with which vertices would be
+/// too far from their surfaces, are left.
 Design_log set_design_intent(const Mesh& mesh, const Labels& face_of_triangle, Part_faces& faces);
 
 } // namespace mesh_to_step

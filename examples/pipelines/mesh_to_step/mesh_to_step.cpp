@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Machine parts as solids of planes, cylinders, cones, spheres, tori and freeform faces, in a STEP
-// file: mesh_to_step PART.stl PART.step [--allow-facets] [--as-found] [--report PART.json]. What is
-// written is read again and compared with the mesh; if it is not right, the program says what is
-// wrong, writes no STEP file, and ends with 1.
+// file: mesh_to_step PART.stl PART.step [--unit mm|cm|m|inch] [--allow-facets] [--as-found]
+// [--report PART.json]. The unit is that of the mesh; both outputs are in mm. What is written is
+// read again and compared with the mesh; if it is not right, the program says what is wrong, writes
+// no STEP file, and ends with 1.
 
 #include "bodies.h"
 #include "step_part.h"
@@ -16,6 +17,8 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,9 +28,20 @@ struct Options
 {
   std::vector<std::string> files;
   std::string report;
+  double unit = 1; ///< of the mesh, in mm
   mesh_to_step::Facets facets = mesh_to_step::Facets::REFUSED;
   mesh_to_step::Design_intent intent = mesh_to_step::Design_intent::SET;
 };
+
+/// In mm.
+double unit_of_name(const std::string& name)
+{
+  const std::map<std::string, double> units{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}};
+  const auto unit = units.find(name);
+  if (unit == units.end())
+    throw std::runtime_error("--unit " + name + ": mm, cm, m or inch");
+  return unit->second;
+}
 
 Options read_options(int argc, char** argv)
 {
@@ -40,6 +54,10 @@ Options read_options(int argc, char** argv)
       result.intent = mesh_to_step::Design_intent::AS_FOUND;
     else if (word == "--report" && i + 1 < argc)
       result.report = argv[++i];
+    else if (word == "--unit" && i + 1 < argc)
+      result.unit = unit_of_name(argv[++i]);
+    else if (word.rfind("--", 0) == 0)
+      throw std::runtime_error(word + " is no option, or lacks its value");
     else
       result.files.push_back(word);
   }
@@ -50,12 +68,14 @@ Options read_options(int argc, char** argv)
   return result;
 }
 
-mesh_to_step::Mesh read_bodies(const std::string& file)
+mesh_to_step::Mesh read_bodies(const std::string& file, double unit)
 {
   std::vector<mesh_to_step::Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(file, points, polygons) || polygons.empty())
     throw std::runtime_error(file + " cannot be read as a mesh");
+  for (mesh_to_step::Point& p : points)
+    p = CGAL::ORIGIN + unit * (p - CGAL::ORIGIN);
   return mesh_to_step::make_bodies(points, polygons);
 }
 
@@ -73,8 +93,8 @@ void write(const std::string& file, const std::string& text)
 int main(int argc, char** argv)
 try {
   const Options options = read_options(argc, argv);
-  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(read_bodies(options.files[0]),
-                                                                    options.facets, options.intent);
+  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(
+    read_bodies(options.files[0], options.unit), options.facets, options.intent);
   for (const std::string& remark : part.remarks)
     std::cout << remark << '\n';
   if (!options.report.empty())

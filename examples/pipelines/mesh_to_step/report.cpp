@@ -2,9 +2,11 @@
 
 #include "report.h"
 
+#include "holes.h"
+
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <map>
 #include <vector>
 
 namespace mesh_to_step {
@@ -24,6 +26,16 @@ Json json_of_coordinates(const Vector& v)
   return {v.x(), v.y(), v.z()};
 }
 
+Json json_of(const Relation_of_faces& r, const Part_faces& faces)
+{
+  Json result{{"relation", r.name}, {"faces", {face_name(faces, r.first)}}};
+  if (r.second != r.first)
+    result["faces"].push_back(face_name(faces, r.second));
+  if (r.is_round_number())
+    result.update({{"from", r.from}, {"to", r.to}});
+  return result;
+}
+
 /// The parameters that a surface of its kind has.
 void add_surface(Json& face, const Fitted_surface& s)
 {
@@ -41,50 +53,74 @@ void add_surface(Json& face, const Fitted_surface& s)
     face["minor_radius"] = s.minor_radius;
 }
 
-/// Whether a face that borders on no other one is the bottom of a hole, which is the wall and the
-/// other walls and steps that it leads to along the axis.
-bool is_blind(const Part_faces& faces, std::size_t wall)
+std::string hole_name(std::size_t hole)
 {
-  std::vector<std::size_t> walk{wall};
-  for (std::size_t i = 0; i < walk.size(); ++i)
-    for (const auto& neighbor : faces[walk[i]].neighbors) {
-      const auto& face = faces[neighbor.face];
-      if (face.neighbors.size() == 1)
-        return true;
-      const bool leads_on = face.role == RS::Face_role::HOLE &&
-                            (face.surface.kind == RS::Surface_kind::PLANE ||
-                             face.first_on_axis == faces[wall].first_on_axis);
-      if (leads_on && std::find(walk.begin(), walk.end(), neighbor.face) == walk.end())
-        walk.push_back(neighbor.face);
-    }
-  return false;
+  return "hole_" + std::to_string(hole);
 }
 
-/// The cylinders that are walls of holes; those of one number `axis` have a common axis.
-Json holes(const Part_faces& faces)
+/// Holes of one number `axis` have a common axis.
+Json json_of(const Hole& hole, const Part_faces& faces)
 {
-  Json result = Json::array();
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Fitted_surface& s = faces[i].surface;
-    if (faces[i].role == RS::Face_role::HOLE && s.kind == RS::Surface_kind::CYLINDER)
-      result.push_back({{"face", face_name(faces, i)},
-                        {"diameter", 2 * s.radius},
-                        {"depth", s.highest - s.lowest},
-                        {"is_blind", is_blind(faces, i)},
-                        {"axis", faces[i].first_on_axis}});
-  }
+  const auto& wall = faces[hole.walls.front()];
+  Json result{{"diameter", hole.diameter},
+              {"depth", hole.depth},
+              {"is_blind", hole.is_blind},
+              {"axis", wall.first_on_axis},
+              {"point", json_of_coordinates(wall.surface.point)},
+              {"direction", json_of_coordinates(wall.surface.direction)}};
+  for (const std::size_t face : hole.walls)
+    result["faces"].push_back(face_name(faces, face));
+  for (const auto& [diameter, depth] : hole.counterbores)
+    result["counterbores"].push_back({{"diameter", diameter}, {"depth", depth}});
+  for (const auto& [diameter, angle] : hole.countersinks)
+    result["countersinks"].push_back({{"diameter", diameter}, {"angle", angle}});
+  if (hole.tip_angle)
+    result["tip_angle"] = *hole.tip_angle;
   return result;
 }
 
-/// The faces that round edges and corners, with their radii.
+Json json_of(const Hole_pattern& pattern)
+{
+  Json result{{"pattern", pattern.center ? "circle" : "grid"}};
+  if (pattern.center)
+    result.update(
+      {{"center", json_of_coordinates(*pattern.center)}, {"diameter", pattern.diameter}});
+  else
+    result.update({{"numbers", {pattern.columns, pattern.rows}},
+                   {"pitches", {pattern.column_pitch, pattern.row_pitch}}});
+  for (const std::size_t hole : pattern.holes)
+    result["holes"].push_back(hole_name(hole));
+  return result;
+}
+
+void add_holes(Json& report, const Part_faces& faces)
+{
+  report["holes"] = report["patterns"] = Json::array();
+  const std::vector<Hole> holes = find_holes(faces);
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    report["holes"].push_back({{"name", hole_name(i)}});
+    report["holes"].back().update(json_of(holes[i], faces));
+  }
+  for (const Hole_pattern& pattern : find_patterns(faces, holes))
+    report["patterns"].push_back(json_of(pattern));
+}
+
+/// The faces that round edges and corners, by radius.
 Json fillets(const Part_faces& faces)
 {
-  Json result = Json::array();
+  constexpr double equal = 1e-4;
+  std::multimap<double, std::string> names;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const Fitted_surface& s = faces[i].surface;
     const double radius = s.kind == RS::Surface_kind::TORUS ? s.minor_radius : s.radius;
     if (faces[i].role == RS::Face_role::BLEND && radius > 0)
-      result.push_back({{"face", face_name(faces, i)}, {"radius", radius}});
+      names.emplace(radius, face_name(faces, i));
+  }
+  Json result = Json::array();
+  for (const auto& [radius, name] : names) {
+    if (result.empty() || radius > (1 + equal) * double(result.back()["radius"]))
+      result.push_back({{"radius", radius}});
+    result.back()["faces"].push_back(name);
   }
   return result;
 }
@@ -116,10 +152,9 @@ std::string report(const Part_faces& faces, const Design_log& log, const Solid& 
     result["faces"].push_back(face);
   }
   result["relations"] = Json::array();
-  for (const auto& [name, first, second] : log.relations)
-    result["relations"].push_back(
-      {{"relation", name}, {"faces", {face_name(faces, first), face_name(faces, second)}}});
-  result["holes"] = holes(faces);
+  for (const Relation_of_faces& r : log.relations)
+    result["relations"].push_back(json_of(r, faces));
+  add_holes(result, faces);
   result["fillets"] = fillets(faces);
   return result.dump(1) + '\n';
 }

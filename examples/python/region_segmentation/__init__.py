@@ -18,8 +18,12 @@ it returns False. Ctrl-C interrupts every function that takes progress. Other th
 
 from __future__ import annotations
 
+import json
 import operator
 import os
+import shutil
+import subprocess
+import tempfile
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -416,6 +420,39 @@ def close_segments(mesh: Any, labels: ArrayLike, clearance: float = 0) -> list[S
         faces: Any = np.array(polygons) if same else [p.tolist() for p in polygons]
         solids.append(Solid(segment, points.reshape(-1, 3), faces, face_of_mesh))
     return solids
+
+
+def to_step(
+    mesh: Any, path: Union[str, os.PathLike[str]], *, unit: Literal["mm", "cm", "m", "inch"] = "mm",
+    as_found: bool = False, allow_facets: bool = False,
+) -> dict[str, Any]:
+    """Writes a machine part as solids of planes, cylinders, ... and freeform faces, to a STEP file.
+
+    It runs the program mesh_to_step, which has to be on the PATH: it is an example of the C++ package, and needs
+    OpenCASCADE. The manual describes it. FileNotFoundError is raised without it, ValueError with the reason if there
+    is no solid; then no file is written. The unit is that of the mesh.
+
+    Returns the report: errors and surfaces of faces, relations, holes, patterns and fillets, in mm.
+    """
+    program = shutil.which("mesh_to_step")
+    if program is None:
+        raise FileNotFoundError("to_step: mesh_to_step is not on the PATH; build this example, with OpenCASCADE")
+    points, corners, sizes = _arrays(mesh)
+    faces = np.split(corners, np.cumsum(sizes)[:-1])
+    with tempfile.TemporaryDirectory() as folder:
+        part, report = os.path.join(folder, "part.off"), os.path.join(folder, "report.json")
+        with open(part, "w") as file:
+            print("OFF", len(points), len(faces), 0, file=file)
+            for row in (*points.tolist(), *([len(face), *face.tolist()] for face in faces)):
+                print(*row, file=file)
+        flags = ["--as-found"] * as_found + ["--allow-facets"] * allow_facets
+        done = subprocess.run([program, part, path, "--unit", unit, "--report", report, *flags],
+                              capture_output=True, text=True)
+        if done.returncode != 0:
+            raise ValueError(f"to_step: {(done.stdout + done.stderr).strip()}")
+        with open(report) as file:
+            result: dict[str, Any] = json.load(file)
+        return result
 
 
 def transfer_labels(from_mesh: Any, labels: ArrayLike, to_mesh: Any) -> Labels:
