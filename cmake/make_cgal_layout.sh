@@ -44,7 +44,7 @@ cp -r "$root"/examples/*.h "$root/examples/data" "$examples"
 for file in "$root"/examples/*.cpp "$root"/examples/pipelines/*.cpp; do
   sed 's,"\.\./,",' "$file" >"$examples/$(basename "$file" .cpp)_example.cpp"
 done
-with_eigen='^\(parameterize\|machine_part\|primitives\|holes\|split_and_close\)_example.cpp$'
+with_eigen='^\(parameterize\|machine_part\|holes\|split_and_close\)_example.cpp$'
 {
   begin_cmake Examples
   sources "$examples" | grep -v "$with_eigen" | programs

@@ -11,7 +11,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "${1:-$root/build-npm}"
 build=$(cd "${1:-$root/build-npm}" && pwd)
 
-packages="emscripten libboost-dev libcgal-dev libeigen3-dev node-acorn nodejs"
+packages="emscripten libboost-dev libcgal-dev libeigen3-dev nlohmann-json3-dev node-acorn nodejs"
 sh "$root/cmake/install_packages.sh" $packages
 if ! command -v npm >/dev/null; then
   echo "skipped: there is no npm (Debian: npm)"
@@ -20,7 +20,7 @@ fi
 
 # The headers alone: beside them in /usr/include are those of the C library of this machine.
 mkdir -p "$build/include"
-ln -sfn /usr/include/CGAL /usr/include/boost /usr/include/eigen3/Eigen "$build/include"
+ln -sfn /usr/include/CGAL /usr/include/boost /usr/include/eigen3/Eigen /usr/include/nlohmann "$build/include"
 cd "$root/examples/npm"
 cp package.json README.md index.mjs index.d.ts "$root/LICENSE" "$build"
 export NODE_PATH="/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}" # acorn, which shortens the scripts

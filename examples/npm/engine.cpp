@@ -8,8 +8,8 @@
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
+#include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -21,6 +21,7 @@ namespace {
 
 namespace RS = CGAL::Region_segmentation;
 using emscripten::val;
+using nlohmann::json;
 
 /// What `f()` returns, or the text of the error that it throws.
 template <typename F>
@@ -85,49 +86,28 @@ val prepare(const std::string& method, const val& request)
   });
 }
 
-/// Of a number, or of a text.
-template <typename Value>
-val to_val(const Value& value)
-{
-  return val(value);
-}
-
-template <std::size_t n>
-val to_val(const std::array<double, n>& values)
-{
-  return val::array(values.begin(), values.end());
-}
-
-/// Adds attributes to an object.
-auto adder(val& object)
-{
-  return [&object](const char* name, const auto& value) { object.set(name, to_val(value)); };
-}
-
+/// `request`: that of a soup; `tolerance`. The faces are a text of JSON.
 val part_faces(const val& request)
 {
   return answer([&] {
     const auto found = segment_mesh::find_part_faces(
       soup_of(request), request["tolerance"].as<double>(), RS::parameters::default_values());
-    val faces = val::array();
-    for (const auto& face : found.faces) {
-      val object = val::object(), surface = val::object(), neighbors = val::array();
-      segment_mesh::visit_attributes_of_surface(face.surface, adder(surface));
-      segment_mesh::visit_attributes_of_face(face, adder(object));
-      for (const RS::Part_face_neighbor& n : face.neighbors) {
-        val neighbor = val::object();
-        neighbor.set("face", n.face);
-        neighbor.set("length", n.length);
-        neighbor.set("is_smooth", n.is_smooth);
-        neighbors.call<void>("push", neighbor);
-      }
-      object.set("surface", surface);
-      object.set("neighbors", neighbors);
-      faces.call<void>("push", object);
+    json faces = json::array();
+    const auto adder = [](json& object) {
+      return [&object](const char* name, const auto& value) { object[name] = value; };
+    };
+    for (const auto& part_face : found.faces) {
+      json& face = faces.emplace_back();
+      segment_mesh::visit_attributes_of_surface(part_face.surface, adder(face["surface"]));
+      segment_mesh::visit_attributes_of_face(part_face, adder(face));
+      face["neighbors"] = json::array();
+      for (const RS::Part_face_neighbor& n : part_face.neighbors)
+        face["neighbors"].push_back(
+          {{"face", n.face}, {"length", n.length}, {"is_smooth", n.is_smooth}});
     }
     val result = val::object();
     result.set("labels", typed_array("Int32Array", found.labels));
-    result.set("faces", faces);
+    result.set("faces", faces.dump());
     return result;
   });
 }

@@ -32,21 +32,13 @@ function valueOf(answer) {
   return answer;
 }
 
-/// The attributes of an object, and of objects in it, as JavaScript names them.
-function camelCased(value) {
-  if (Array.isArray(value)) return value.map(camelCased);
-  if (typeof value !== "object") return value;
-  const name = key => key.replace(/_./g, ([, letter]) => letter.toUpperCase());
-  return Object.fromEntries(Object.entries(value).map(([key, x]) => [name(key), camelCased(x)]));
-}
-
 const loadEngine = () => engine ??= makeEngine();
 
 /// See index.d.ts.
 export async function findPartFaces(points, faces, {tolerance = 0} = {}) {
   check(Number.isFinite(tolerance) && tolerance >= 0, "tolerance: not a finite length of at least 0");
-  const {labels, faces: found} = valueOf((await loadEngine()).findPartFaces({...meshOf(points, faces), tolerance}));
-  return {labels, faces: camelCased(found)};
+  const {labels, faces: json} = valueOf((await loadEngine()).findPartFaces({...meshOf(points, faces), tolerance}));
+  return {labels, faces: JSON.parse(json.replace(/_(.)(?=\w*":)/g, (_, letter) => letter.toUpperCase()))}; // camel case
 }
 
 /// See index.d.ts.

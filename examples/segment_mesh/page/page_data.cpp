@@ -63,15 +63,6 @@ private:
   ordered_json m_index = ordered_json::array();
 };
 
-/// As differences from one to the next, which compress well.
-template <typename Values>
-void append_differences(const Values& values, Array_file& file)
-{
-  std::uint32_t last = 0;
-  for (const std::size_t value : values)
-    file.append(std::int32_t(std::uint32_t(value) - std::exchange(last, std::uint32_t(value))));
-}
-
 void append_points(const Scene& scene, Array_file& file)
 {
   for (const Point& p : scene.soup.points)
@@ -82,13 +73,16 @@ void append_points(const Scene& scene, Array_file& file)
 
 void append_faces(const Page_content& content, Array_file& file)
 {
-  for (const Polygon_soup::Polygon& polygon : content.soup.polygons)
+  const Polygons& polygons = content.soup.polygons;
+  for (const Polygon_soup::Polygon& polygon : polygons)
     file.append(std::uint32_t(polygon.size()));
   file.end_array("sizes", "Uint32Array");
-  append_differences(content.soup.polygons.corners(), file);
-  file.end_array("corners", "Int32Array");
-  append_differences(content.segmentation.region_of_face, file);
-  file.end_array("regions", "Int32Array");
+  for (const std::uint32_t corner : polygons.corners())
+    file.append(corner);
+  file.end_array("corners", "Uint32Array");
+  for (const std::size_t region : content.segmentation.region_of_face)
+    file.append(std::uint32_t(region));
+  file.end_array("regions", "Uint32Array");
 }
 
 void append_graph(const Page_content& content, Array_file& file)
