@@ -295,7 +295,7 @@ private:
     result.m_of_elements = Partition::into_single_elements(m_patches.size());
     for (; !m_rounds.empty(); m_rounds.pop_back())
       result.m_of_elements = composed(m_rounds.back(), result.m_of_elements);
-    m_patches.shrink_to_fit();
+    m_patches.shrink_to_fit(); // Rounds leave it as large as at first.
     for (const Element& e : m_patches)
       result.m_patches.push_back({e.centroid, e.normal, e.area, 0});
     return result;
