@@ -109,12 +109,11 @@ struct Method_calls
 };
 
 template <typename Method>
-Surface Method_calls<Method>::smoothed(Surface surface, const Execution& execution)
+Surface Method_calls<Method>::smoothed(Surface surface, [[maybe_unused]] const Execution& execution)
 {
   if constexpr (satisfies<Smooths_noise, Method>)
-    return without_noise(std::move(surface), execution.stage("regions").step(0, 0));
-  else
-    return surface;
+    surface = without_noise(std::move(surface), execution.stage("regions").step(0, 0));
+  return surface;
 }
 
 template <typename Method>

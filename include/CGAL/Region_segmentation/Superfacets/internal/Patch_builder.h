@@ -112,7 +112,6 @@ private:
   /// Makes the coarse patches of the fine ones.
   Surface_patches with_coarse(Patches fine)
   {
-    m_neighbors.clear();
     for (const Adjacency& a : fine.adjacencies())
       m_neighbors.push_back({a.lower, a.higher});
     join_patches(Surface_patches::maximum_coarse_area);
@@ -171,7 +170,7 @@ private:
       if (fewer == 0)
         return;
       is_worth_another = fewer >= joined.size() / 32;
-      m_patches = sums(joined, [&](std::size_t p) { return m_patches[p]; });
+      sum_up(joined, [&](std::size_t p) { return m_patches[p]; });
       std::size_t n = 0;
       for (const auto& [i, j] : m_neighbors) {
         const Index p = joined[i], q = joined[j];
@@ -188,10 +187,11 @@ private:
   /// Replaces the faces by the patches of a partition.
   void replace_faces(Partition joined)
   {
-    m_patches = sums(joined, [&](std::size_t f) { return face(f); });
+    sum_up(joined, [&](std::size_t f) { return face(f); });
     for (Index a = 0; a < m_surface.number_of_adjacencies(); ++a)
       if (joined[m_surface.lower_face(a)] != joined[m_surface.higher_face(a)])
         m_borders.push_back(a);
+    m_borders.shrink_to_fit();
     m_neighbors.reserve(m_borders.size());
     for (const Index a : m_borders)
       if (!m_surface.has_flag(a, Surface::barrier))
@@ -232,39 +232,40 @@ private:
     return parents;
   }
 
-  /// The patches of joined elements. Centroids are summed relative to that of the first element, to
-  /// avoid cancellation far from the origin.
+  /// Makes the patches of joined elements: in place of these, if they are patches, since no part
+  /// has a number above that of its first element. Centroids are summed relative to that of the
+  /// first element, to avoid cancellation far from the origin.
   template <typename ElementOf>
-  static Large_array<Element> sums(const Partition& joined, const ElementOf& element_of)
+  void sum_up(const Partition& joined, const ElementOf& element_of)
   {
-    Large_array<Element> result;
     Large_array<Double_3> firsts; // the centroids of the first elements
-    result.reserve(joined.number_of_parts());
     firsts.reserve(joined.number_of_parts());
+    m_patches.resize((std::max)(m_patches.size(), joined.number_of_parts()));
     for (std::size_t i = 0; i < joined.size(); ++i) {
       const Element e = element_of(i);
       if (joined[i] == firsts.size()) {
         firsts.push_back(e.centroid);
-        result.push_back(Element{});
+        m_patches[joined[i]] = Element{};
       }
-      Element& sum = result[joined[i]];
+      Element& sum = m_patches[joined[i]];
       sum.centroid = sum.centroid + e.area * (e.centroid - firsts[joined[i]]);
       sum.normal = sum.normal + e.projected_area * e.normal;
       sum.area += e.area;
     }
+    m_patches.resize(joined.number_of_parts());
     const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
-    for (std::size_t p = 0; p < result.size(); ++p) {
-      Element& e = result[p];
+    for (std::size_t p = 0; p < m_patches.size(); ++p) {
+      Element& e = m_patches[p];
       e.centroid = firsts[p] + inverse(e.area) * e.centroid;
       e.projected_area = norm(e.normal);
       e.normal = inverse(e.projected_area) * e.normal;
     }
-    return result;
   }
 
   /// The patches of the rounds so far, with their centers among the faces, and contacts.
   Patches finish_fine()
   {
+    m_neighbors = Large_array<std::pair<Index, Index>>(); // The next steps need the memory.
     Patches result = finish();
     set_centers(
       result, [&](std::size_t f) { return m_surface.centroid(f); },
@@ -294,6 +295,7 @@ private:
     result.m_of_elements = Partition::into_single_elements(m_patches.size());
     for (; !m_rounds.empty(); m_rounds.pop_back())
       result.m_of_elements = composed(m_rounds.back(), result.m_of_elements);
+    m_patches.shrink_to_fit(); // Rounds leave it as large as at first.
     for (const Element& e : m_patches)
       result.m_patches.push_back({e.centroid, e.normal, e.area, 0});
     return result;
@@ -303,16 +305,16 @@ private:
   void unite(Large_array<Adjacency>& adjacencies) const
   {
     // A radix sort of two digits: it keeps the order of the lengths to be added.
-    const Grouped_items<Adjacency> by_higher(m_patches.size(), [&](const auto& add) {
+    Grouped_items<Adjacency> sorted(m_patches.size(), [&](const auto& add) {
       for (const Adjacency& a : adjacencies)
         add(a.higher, a);
     });
     adjacencies = Large_array<Adjacency>(); // The next step needs the memory.
-    const Grouped_items<Adjacency> by_lower(m_patches.size(), [&](const auto& add) {
-      for (const Adjacency& a : by_higher.all())
+    sorted = Grouped_items<Adjacency>(m_patches.size(), [&](const auto& add) {
+      for (const Adjacency& a : sorted.all())
         add(a.lower, a);
     });
-    for (const Adjacency& a : by_lower.all())
+    for (const Adjacency& a : sorted.all())
       if (!adjacencies.empty() && adjacencies.back().lower == a.lower &&
           adjacencies.back().higher == a.higher)
         adjacencies.back().length += a.length;

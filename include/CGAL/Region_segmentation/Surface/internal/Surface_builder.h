@@ -158,6 +158,9 @@ public:
   /// Links components and marks crumbs, in find_links.h.
   void link_components(const Execution& execution);
 
+  /// The points, until others are set.
+  Large_array<Double_3> take_points() { return std::move(m_points); }
+
   /// Moves the vertices to other points. Normals, areas and signs of angles follow them; lengths
   /// and links stay. A degenerate face stays degenerate, with its area.
   void set_points(Large_array<Double_3> points, const Execution& execution)

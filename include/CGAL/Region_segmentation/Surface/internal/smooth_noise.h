@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -24,9 +23,8 @@ namespace internal {
 /// The faces around a vertex.
 struct Vertex_star
 {
-  Double_3 normal{};        ///< the sum of twice their area vectors, then of length 1
-  Double_3 to_neighbors{};  ///< the sum over the faces, to both neighbors
-  std::uint32_t number = 0; ///< of the faces
+  Double_3 normal{};       ///< the sum of twice their area vectors, then of length 1
+  Double_3 to_neighbors{}; ///< the sum over the faces, to both neighbors
 };
 
 /// The stars of the vertices of a surface, and their heights: how far the neighbors of a vertex lie
@@ -46,7 +44,7 @@ struct Vertex_heights
         const Double_3 along = points[w] - points[v];
         stars[v].to_neighbors = stars[v].to_neighbors + along;
         stars[w].to_neighbors = stars[w].to_neighbors - along;
-        ++stars[v].number;
+        ++heights[v]; // at first the number of faces
       });
       const auto corners = surface.corners(f);
       const Double_3 area = area_vector(points.data(), corners.begin(), corners.end());
@@ -57,16 +55,19 @@ struct Vertex_heights
     for (std::size_t v = 0; v < points.size(); ++v)
       if (const double twice_area = norm(stars[v].normal); twice_area > 0) {
         stars[v].normal = (1 / twice_area) * stars[v].normal;
-        const double height = dot(stars[v].to_neighbors, stars[v].normal) / (2 * stars[v].number);
+        const double height = dot(stars[v].to_neighbors, stars[v].normal) / (2 * heights[v]);
         heights[v] = 2 * (height * height) > 1e-5 * twice_area ? height : 0;
-      }
+      } else
+        heights[v] = 0;
   }
 
-  /// Whether more than this share of the sides of faces join heights of opposite signs. Independent
-  /// noise of the points makes it 4/7 of the edges; of 190 models of the Princeton benchmark, and
-  /// of 47 of them with faces split into four, none has more than .41.
-  bool are_opposite(const Surface& surface, double share) const
+  /// Sets them for vertices at the given points, and returns whether they show noise: whether more
+  /// than this share of the sides of faces join heights of opposite signs. Independent noise of the
+  /// points makes it 4/7 of the edges; of 190 models of the Princeton benchmark, and of 47 of them
+  /// with faces split into four, none has more than .41.
+  bool show_noise(const Surface& surface, const Large_array<Double_3>& points, double share)
   {
+    compute(surface, points);
     std::size_t all = 0, opposite = 0;
     for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
       for_each_side(surface, f, [&](Surface::Index v, Surface::Index w) {
@@ -103,21 +104,15 @@ struct Vertex_heights
 inline Surface without_noise(Surface surface, const Execution& execution)
 {
   constexpr int most_rounds = 5;
-  Large_array<Double_3> points; // of the vertices, if some were moved
-  Vertex_heights heights;       // its memory is used again in each round
-  for (int round = 0; round < most_rounds; ++round) {
-    heights.compute(surface, points.empty() ? surface.points() : points);
-    // The bound is a share of the sides between vertices with heights.
-    if (!heights.are_opposite(surface, points.empty() ? 0.42 : 0.2))
-      break;
-    if (points.empty())
-      points = surface.points();
-    heights.smooth(points);
-  }
-  if (points.empty())
+  Vertex_heights heights; // its memory is used again in each round
+  if (!heights.show_noise(surface, surface.points(), 0.42))
     return surface;
-  heights = Vertex_heights(); // The next step needs the memory.
   Surface_builder builder(std::move(surface));
+  Large_array<Double_3> points = builder.take_points();
+  for (int round = 0;
+       round < most_rounds && (round == 0 || heights.show_noise(builder, points, 0.2)); ++round)
+    heights.smooth(points);
+  heights = Vertex_heights(); // The next step needs the memory.
   builder.set_points(std::move(points), execution);
   return builder.finish();
 }
