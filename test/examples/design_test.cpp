@@ -26,6 +26,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -200,6 +201,12 @@ TEST(Design, holes_are_in_a_circle_or_grid)
   EXPECT_EQ(patterns[1]["numbers"], Json({3, 2}));
   EXPECT_NEAR(patterns[1]["pitches"][0], 20, 1e-5);
   EXPECT_NEAR(patterns[1]["pitches"][1], 25, 1e-5);
+}
+
+TEST(Bodies, a_polygon_that_meets_itself_is_refused)
+{
+  const std::vector<Point> bow{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
+  EXPECT_THROW(mesh_to_step::make_bodies(bow, {{0, 1, 2, 0, 3, 4}}), std::invalid_argument);
 }
 
 } // namespace
