@@ -26,6 +26,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -146,7 +147,7 @@ const Json& hole_of_diameter(const Json& report, double diameter)
 {
   const Json& holes = report["holes"];
   return *std::find_if(holes.begin(), holes.end(), [&](const Json& hole) {
-    return std::fabs(double(hole["diameter"]) - diameter) < 1e-6;
+    return std::fabs(double(hole["diameter"]) - diameter) < 1e-4;
   });
 }
 
@@ -161,11 +162,12 @@ TEST(Design, holes_are_as_they_were_drilled)
   plate.drill_cone(180, 60, 27, 6, 12, 3);
   plate.drill(180, 90, 6.8, 15);
   plate.drill_cone(180, 90, 15 - tip, 0, 6.8, tip);
+  plate.drill_cone(100, 60, 25, 0, 10, 5); // a cone alone
   const Json report = report_of(mesh_of(plate.shape()));
   EXPECT_TRUE(report["is_right"]);
-  ASSERT_EQ(report["holes"].size(), 3u);
+  ASSERT_EQ(report["holes"].size(), 4u);
   const Json bored = hole_of_diameter(report, 5), sunk = hole_of_diameter(report, 6),
-             blind = hole_of_diameter(report, 6.8);
+             blind = hole_of_diameter(report, 6.8), cone = hole_of_diameter(report, 0);
   EXPECT_FALSE(bored["is_blind"]);
   EXPECT_NEAR(bored["depth"], 30, 1e-6);
   EXPECT_NEAR(bored["counterbores"].at(0)["diameter"], 12, 1e-6);
@@ -176,6 +178,8 @@ TEST(Design, holes_are_as_they_were_drilled)
   EXPECT_TRUE(blind["is_blind"]);
   EXPECT_NEAR(blind["depth"], 15, 1e-6);
   EXPECT_NEAR(blind["tip_angle"], 118, 1e-6);
+  EXPECT_TRUE(cone["is_blind"]);
+  EXPECT_NEAR(cone["countersinks"].at(0)["diameter"], 10, 1e-5);
 }
 
 TEST(Design, holes_are_in_a_circle_or_grid)
@@ -197,6 +201,12 @@ TEST(Design, holes_are_in_a_circle_or_grid)
   EXPECT_EQ(patterns[1]["numbers"], Json({3, 2}));
   EXPECT_NEAR(patterns[1]["pitches"][0], 20, 1e-5);
   EXPECT_NEAR(patterns[1]["pitches"][1], 25, 1e-5);
+}
+
+TEST(Bodies, a_polygon_that_meets_itself_is_refused)
+{
+  const std::vector<Point> bow{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
+  EXPECT_THROW(mesh_to_step::make_bodies(bow, {{0, 1, 2, 0, 3, 4}}), std::invalid_argument);
 }
 
 } // namespace

@@ -168,7 +168,8 @@ def check_tables(case):
 
 
 def check_step(case):
-    """One solid of the volume of the mesh, of a block of its six faces. A block without a face is none, and nothing is written."""
+    """One solid of the volume of the mesh, of a block of its six faces; two of blocks that touch, one with a void. A block without
+    a face is none, and nothing is written."""
     try:
         import gmsh
     except ImportError:
@@ -183,6 +184,19 @@ def check_step(case):
     if is_block:
         faces = sorted(gmsh.model.occ.getMass(2, face) for _, face in gmsh.model.getEntities(2))
         numpy.testing.assert_allclose(faces, [2, 2, 3, 3, 6, 6], rtol=1e-9)
+
+    lines = [line.split() for line in BLOCK.splitlines()]
+    corners, quads = numpy.array(lines[2:10], float), numpy.array(lines[10:16], int)[:, 1:]
+    points = numpy.concatenate([corners, corners + [2, 0, 0], corners / 4 + [1, 0.5, 1]])
+    faces = [[4, *quad] for quad in (*quads, *(quads + 8), *(quads + 16)[:, ::-1])]
+    with open(case.folder / "bodies.off", "w") as file:
+        file.write(f"OFF\n{len(points)} {len(faces)} 0\n")
+        numpy.savetxt(file, points)
+        numpy.savetxt(file, faces, "%d")
+    subprocess.run([case.command[0], "bodies.off", "-q", "-o", "bodies.step"], cwd=case.folder, check=True)
+    gmsh.clear()
+    solids = gmsh.model.occ.importShapes(str(case.folder / "bodies.step"))
+    numpy.testing.assert_allclose(sorted(gmsh.model.occ.getMass(*solid) for solid in solids), [6 - 6 / 64, 6], rtol=1e-9)
     gmsh.finalize()
 
     (case.folder / "open.off").write_text(BLOCK.replace("8 6 0", "8 5 0").replace("4 3 0 4 7\n", ""))

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -134,6 +135,8 @@ Polygons merged(const std::vector<Point>& points, const Polygons& polygons)
     polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
     while (polygon.size() > 1 && polygon.front() == polygon.back())
       polygon.pop_back();
+    if (std::set<std::size_t>(polygon.begin(), polygon.end()).size() < polygon.size())
+      throw std::invalid_argument("a face meets itself: it has a hole, or crosses itself");
     if (polygon.size() > 2)
       result.push_back(polygon);
   }

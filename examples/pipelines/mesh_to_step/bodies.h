@@ -14,6 +14,8 @@ namespace mesh_to_step {
 /// of polygons in any order. Where several bodies touch, an edge has four and more polygons: each
 /// is joined to the next one through the material. Points that differ by the rounding of single
 /// precision become one.
+///
+/// \throws std::invalid_argument for a polygon that has a point twice
 Mesh make_bodies(const std::vector<Point>& points,
                  const std::vector<std::vector<std::size_t>>& polygons);
 

@@ -104,13 +104,6 @@ Vector difference_of_radii(const Shape& s, const Shape& t)
   return {radius(t) - radius(s), 0, 0};
 }
 
-/// The vector between the spines where they should touch.
-Vector distance_of_spines(const Shape& s, const Shape& t)
-{
-  const Vector p = spine_point(s, t.point);
-  return spine_point(t, p) - p;
-}
-
 double angle_of_directions(const Shape& s, const Shape& t)
 {
   return std::acos(std::clamp(dot(s.direction, t.direction), -1.0, 1.0));
@@ -336,7 +329,7 @@ Design::Faces Design::those(const Faces& faces, const Kinds& kinds) const
 }
 
 /// Of two surfaces that are tangent, the spine of the second is as far from the first as its
-/// radius; or, if their radii are equal, their spines touch.
+/// radius. (Spines that coincide have other relations: coaxial, equal radius.)
 void Design::find_tangent_faces()
 {
   constexpr double coincident = 0.1; // of the radius
@@ -348,11 +341,8 @@ void Design::find_tangent_faces()
       if (!neighbor.is_smooth || points.empty() || !has_spine(t) || s.kind == Kind::FREEFORM)
         continue;
       const Vector center = spine_point(t, points.front());
-      if (has_spine(s) && norm(center - spine_point(s, points.front())) < coincident * radius(t)) {
-        if (t.kind != Kind::CYLINDER && add("tangent", i, j, distance_of_spines))
-          add("equal radius", i, j, difference_of_radii);
+      if (has_spine(s) && norm(center - spine_point(s, points.front())) < coincident * radius(t))
         continue;
-      }
       const std::size_t step = 1 + points.size() / 8;
       const double sign = signed_distance(s, center) > 0 ? 1 : -1;
       for (std::size_t k = 0; k < points.size(); k += step)
@@ -371,30 +361,35 @@ void Design::find_angles(const std::vector<Faces>& parallel)
         add_round("angle", first->front(), second->front(), {angle_of_directions, true});
 }
 
-/// Planes and axes that coincide, spheres on axes, and distances from the largest plane and axis of
-/// each direction.
+/// Planes and axes that coincide, spheres on axes; distances from the largest plane and axis of
+/// each direction, from planes also to axes along them and to spheres.
 void Design::find_places(const std::vector<Faces>& parallel, const Faces& spheres)
 {
-  Faces places = spheres, largest_planes;
+  constexpr double parallel_cosine = 0.01;
+  const Number from_plane{[](const Shape&s, const Shape&t) { return std::fabs(height(s, t).x); }},
+    from_axis{[](const Shape&s, const Shape&t) { return norm(distance_of_axes(s, t)); }};
+  Faces largest_planes, all_axes;
   for (const Faces& faces : parallel) {
     const auto planes = relate("coplanar", those(faces, {Kind::PLANE}), height),
                axes = relate("coaxial", those(faces, with_axis), distance_of_axes);
     for (const Faces& plane : planes)
-      places.push_back(plane.front());
+      add_round("distance", planes.front().front(), plane.front(), from_plane);
     for (const Faces& axis : axes) {
-      places.push_back(axis.front());
+      all_axes.push_back(axis.front());
+      add_round("distance", axes.front().front(), axis.front(), from_axis);
       for (const std::size_t sphere : spheres)
         add("coaxial", axis.front(), sphere, distance_of_axes);
-      add_round("distance", axes.front().front(), axis.front(),
-                {[](const Shape& s, const Shape& t) { return norm(distance_of_axes(s, t)); }});
     }
     if (!planes.empty())
       largest_planes.push_back(planes.front().front());
   }
-  for (const std::size_t plane : largest_planes)
-    for (const std::size_t place : places)
-      add_round("distance", plane, place,
-                {[](const Shape& s, const Shape& t) { return std::fabs(height(s, t).x); }});
+  for (const std::size_t plane : largest_planes) {
+    for (const std::size_t axis : all_axes)
+      if (largest(dot_of_directions(m_shapes[plane], m_shapes[axis])) < parallel_cosine)
+        add_round("distance", plane, axis, from_plane);
+    for (const std::size_t sphere : spheres)
+      add_round("distance", plane, sphere, from_plane);
+  }
 }
 
 void Design::find_sizes(const Faces& by_area)

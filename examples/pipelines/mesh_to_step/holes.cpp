@@ -80,9 +80,10 @@ Hole make_hole(const Part_faces& faces, const Faces& walls)
     const double slope = s.kind == RS::Surface_kind::CONE ? std::tan(s.angle) : 0,
                  narrow = 2 * (s.radius + s.lowest * slope),
                  wide = 2 * (s.radius + s.highest * slope);
-    if (slope > 0 && narrow < equal * wide) {
+    const bool has_apex = slope > 0 && narrow < equal * wide;
+    result.is_blind = result.is_blind || has_apex;
+    if (has_apex && walls.size() > 1) {
       result.tip_angle = 2 * s.angle * degrees;
-      result.is_blind = true;
       continue;
     }
     result.diameter = (std::min)(result.diameter, narrow);
