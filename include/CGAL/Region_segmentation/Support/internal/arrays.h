@@ -123,14 +123,6 @@ inline Float_key make_float_key(float value, std::uint32_t index)
   return (Float_key(bits) << 32) | index;
 }
 
-inline float value_of(Float_key key)
-{
-  const std::uint32_t bits = std::uint32_t(key >> 32);
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
 inline std::uint32_t index_of(Float_key key)
 {
   return std::uint32_t(key);
