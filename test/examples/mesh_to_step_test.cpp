@@ -57,7 +57,8 @@ struct Result
 {
   Part_faces faces;
   mesh_to_step::Solid solid;
-  TopoDS_Shape read;
+  std::vector<std::string> names; // of faces of the solid
+  mesh_to_step::Named_shape read;
   Certificate measured;
 };
 
@@ -70,8 +71,10 @@ Result through_a_file(Mesh mesh, const Change& change)
   RS::find_part_faces(mesh, labels, std::back_inserter(result.faces));
   change(result.faces);
   result.solid = mesh_to_step::make_solid(mesh, labels, result.faces);
-  result.read = mesh_to_step::shape_of(mesh_to_step::step_text(result.solid.shape));
-  result.measured = mesh_to_step::compare(result.read, result.solid);
+  for (const std::size_t label : result.solid.label_of_face)
+    result.names.push_back(std::to_string(label));
+  result.read = mesh_to_step::shape_of(mesh_to_step::step_text(result.solid.shape, result.names));
+  result.measured = mesh_to_step::compare(result.read, result.solid, result.names);
   return result;
 }
 
@@ -117,7 +120,7 @@ void expect_solid(const Result& result, std::size_t number_of_faces,
     EXPECT_LT(errors.of_vertices, rounding);
     EXPECT_LE(errors.of_surface, 2 * errors.of_sides + rounding);
   }
-  const std::multiset<double> found = radii(result.read);
+  const std::multiset<double> found = radii(result.read.shape);
   ASSERT_EQ(found.size(), expected_radii.size());
   EXPECT_TRUE(std::equal(found.begin(), found.end(), expected_radii.begin(),
                          [](double a, double b) { return std::fabs(a - b) < 1e-4 * b; }));
@@ -205,12 +208,12 @@ TEST(Mesh_to_step, relations_hold_in_spite_of_noise)
                                 found = mesh_to_step::make_step_part(
                                   mesh, Facets::REFUSED, mesh_to_step::Design_intent::AS_FOUND);
   ASSERT_TRUE(part.is_solid) << part.remarks.back();
-  const std::multiset<double> equal = radii(mesh_to_step::shape_of(part.text));
+  const std::multiset<double> equal = radii(mesh_to_step::shape_of(part.text).shape);
   ASSERT_EQ(equal.size(), 4u);
   EXPECT_NEAR(*equal.begin(), radius, 1e-4);
   EXPECT_LT(*equal.rbegin() - *equal.begin(), 1e-9);
   if (found.is_solid) {
-    const std::multiset<double> others = radii(mesh_to_step::shape_of(found.text));
+    const std::multiset<double> others = radii(mesh_to_step::shape_of(found.text).shape);
     EXPECT_GT(*others.rbegin() - *others.begin(), 1e-7);
   }
   EXPECT_NE(part.report.find("\"tangent\""), std::string::npos);
@@ -266,8 +269,9 @@ TEST(Mesh_to_step, a_solid_elsewhere_is_told)
   const Result result = through_a_file(to_mesh(frustum_with_bore()));
   gp_Trsf move;
   move.SetTranslation({0.01, 0, 0.01});
-  const TopoDS_Shape moved = BRepBuilderAPI_Transform(result.read, move, true).Shape();
-  const Certificate measured = mesh_to_step::compare(moved, result.solid);
+  mesh_to_step::Named_shape moved = result.read;
+  moved.shape = BRepBuilderAPI_Transform(moved.shape, move, true).Shape();
+  const Certificate measured = mesh_to_step::compare(moved, result.solid, result.names);
   ASSERT_EQ(measured.faces.size(), 4u);
   for (const auto& errors : measured.faces)
     EXPECT_GT(errors.of_vertices, 0.005);

@@ -5,11 +5,11 @@
 #include "freeform_surface.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
 #include <BRepLib_CheckCurveOnSurface.hxx>
@@ -38,6 +38,8 @@ namespace mesh_to_step {
 
 namespace {
 
+namespace PMP = CGAL::Polygon_mesh_processing;
+
 constexpr double precision = 1e-7; // of a point or an edge, until the distance to its faces is
                                    // known
 
@@ -45,7 +47,7 @@ constexpr double precision = 1e-7; // of a point or an edge, until the distance 
 
 double size_of(const Mesh& mesh)
 {
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
   return point_of({box.xmin(), box.ymin(), box.zmin()})
     .Distance(point_of({box.xmax(), box.ymax(), box.zmax()}));
 }
@@ -95,8 +97,7 @@ bool Trimmed_faces::is_right(std::size_t face) const
   else
     BRepGProp::SurfaceProperties(shape, measured);
   const double area = m_measures[face].area;
-  return std::fabs(measured.Mass() - area) <= tolerance * area &&
-         BRepCheck_Analyzer(shape).IsValid();
+  return std::fabs(measured.Mass() - area) <= tolerance * area;
 }
 
 /// The border of a face, as loops of halfedges of it.
@@ -175,54 +176,41 @@ bool Trimmed_faces::can_be_axis(const gp_Dir& axis, std::size_t face) const
   return crossings <= 1;
 }
 
-/// Whether the normals of the surface point into the part.
-bool Trimmed_faces::is_inside_out(std::size_t face) const
-{
-  if (!is_freeform(face))
-    return m_faces.surfaces[face].side < 0;
-  double sum = 0; // twice the area of the triangles in the parameters
-  for (auto f : m_triangles[face]) {
-    const Halfedge h = halfedge(f, m_mesh);
-    const auto parameters = [&](Halfedge side) {
-      return parameters_of_foot(m_surfaces[face], source_point(side)).XY();
-    };
-    const gp_XY a = parameters(h);
-    sum += (parameters(next(h, m_mesh)) - a) ^ (parameters(prev(h, m_mesh)) - a);
-  }
-  return sum < 0;
-}
-
 /// A surface through the vertices of a freeform face, and points of its edges.
 void Trimmed_faces::make_freeform_surface(std::size_t face)
 {
   constexpr double tolerance = 1e-4; // of the size
   constexpr std::size_t most_edge_points = 4000;
-  Mesh triangles;
-  std::map<Mesh::Vertex_index, Mesh::Vertex_index> copies;
-  std::vector<Edge_point> edge_points;
-  for (auto f : m_triangles[face]) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (auto v : vertices_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const auto [copy, is_new] = copies.emplace(v, Mesh::Vertex_index());
-      if (is_new)
-        copy->second = triangles.add_vertex(m_mesh.point(v));
-      corners.push_back(copy->second);
-    }
-    if (triangles.add_face(corners) == Mesh::null_face())
-      return; // the face touches itself at a vertex
-  }
   const int divisions = int(
     std::clamp<std::size_t>(most_edge_points / (m_border_halfedges[face].size() + 1), 4, 16));
-  for (Halfedge h : m_border_halfedges[face])
-    if (const auto found = m_pieces.find(h); found != m_pieces.end())
-      for (int i = 0; i < divisions; ++i) {
-        const double share = double(i) / divisions;
-        edge_points.push_back({copies[source(h, m_mesh)], copies[target(h, m_mesh)], share,
-                               found->second.point(share)});
-      }
-  if (const auto surface = freeform_surface(triangles, edge_points, tolerance * m_size);
-      !surface.IsNull())
-    m_surfaces[face] = projector(surface);
+  Mesh triangles;
+  std::map<Mesh::Vertex_index, Mesh::Vertex_index> copies;
+  for (auto f : m_triangles[face]) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const auto [copy, is_new] = copies.emplace(source(h, m_mesh), Mesh::Vertex_index());
+      if (is_new)
+        copy->second = triangles.add_vertex(m_mesh.point(source(h, m_mesh)));
+      corners.push_back(copy->second);
+      if (const auto piece = m_pieces.find(h); piece != m_pieces.end())
+        for (int i = 0; i < divisions; ++i) {
+          const gp_Pnt p = piece->second.point(double(i) / divisions);
+          if (i > 0)
+            corners.push_back(triangles.add_vertex());
+          triangles.point(corners.back()) = {p.X(), p.Y(), p.Z()};
+        }
+    }
+    std::vector<Point> points;
+    for (auto v : corners)
+      points.push_back(triangles.point(v));
+    std::vector<CGAL::Triple<int, int, int>> patch;
+    PMP::triangulate_hole_polyline(points, std::back_inserter(patch));
+    for (const auto& t : patch)
+      if (triangles.add_face(corners[std::size_t(t.first)], corners[std::size_t(t.second)],
+                             corners[std::size_t(t.third)]) == Mesh::null_face())
+        return; // the face touches itself at a vertex
+  }
+  m_surfaces[face] = freeform_surface(triangles, tolerance * m_size);
 }
 
 /// The vertex of the solid for one of the mesh, on all simple surfaces there.
@@ -333,7 +321,7 @@ void Trimmed_faces::add_parameter_curve(const TopoDS_Edge& edge, std::size_t fac
 TopoDS_Shape Trimmed_faces::make_face(std::size_t face)
 try {
   const Handle(Geom_Surface) surface = m_surfaces[face]->Surface();
-  const bool is_reversed = is_inside_out(face);
+  const bool is_reversed = m_faces.surfaces[face].side < 0;
   TopoDS_Face trimmed;
   m_builder.MakeFace(trimmed, surface, precision);
   for (const Halfedges& loop : loops(face)) {

@@ -41,7 +41,7 @@ public:
   const std::vector<TopoDS_Shape>& shapes() const { return m_shapes; }
   /// What area and volume should be, by label.
   const std::vector<Measures>& measures() const { return m_measures; }
-  /// Whether a face is valid, and of the area that it should have.
+  /// Whether a face has the area that it should have.
   bool is_right(std::size_t face) const;
 
 private:
@@ -59,7 +59,6 @@ private:
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
   Fitted_surface with_axis(std::size_t face) const;
   bool can_be_axis(const gp_Dir& axis, std::size_t face) const;
-  bool is_inside_out(std::size_t face) const;
 
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);

@@ -9,11 +9,13 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib_CheckCurveOnSurface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
@@ -48,93 +50,88 @@ bool has_closed_shells(const TopoDS_Shape& shape)
   return true;
 }
 
-/// The largest distance from points of the edges of a face to its surface.
+/// The largest distance from points of the edges of a face to its surface: to those that they have
+/// on it, or to feet. Both may be too large where a surface is freeform.
 double distance_of_edges(const TopoDS_Face& face, const Surfaces& surface)
 {
   double result = 0;
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
     Curve_piece piece;
-    piece.curve = BRep_Tool::Curve(TopoDS::Edge(edges.Current()), piece.first, piece.last);
+    piece.curve = BRep_Tool::Curve(edge, piece.first, piece.last);
     if (piece.curve.IsNull())
-      continue;
+      continue; // a pole
     const auto spline = Handle(Geom_BSplineCurve)::DownCast(piece.curve);
-    result = (std::max)(result, gap(piece, surface, spline.IsNull() ? 12 : 3 * spline->NbKnots()));
+    const int samples = spline.IsNull() ? 12 : 3 * spline->NbKnots();
+    BRepLib_CheckCurveOnSurface check(edge, face);
+    check.Perform();
+    result = (std::max)(result, (std::min)(check.MaxDistance(), gap(piece, surface, samples)));
   }
   return result;
 }
 
-/// A face, and the triangles that it is to be compared with.
-class Comparison
+/// The vertices of the triangulation of a face; none if OpenCASCADE cannot triangulate it.
+std::vector<Surface_point> points_of(const TopoDS_Face& face)
 {
-public:
-  Comparison(const Solid& solid, const std::vector<Mesh::Face_index>& triangles,
-             const TopoDS_Face& face, const Surfaces& surface, const Surfaces& surface_of_label,
-             const Tree& tree)
-    : m_solid(solid)
-    , m_mesh(solid.mesh)
-    , m_triangles(triangles)
-    , m_face(face)
-    , m_surface(surface)
-    , m_surface_of_label(surface_of_label)
-    , m_tree(tree)
-  {}
+  std::vector<Surface_point> result;
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, place);
+  for (int i = 1; !triangulation.IsNull() && i <= triangulation->NbNodes(); ++i)
+    result.push_back({triangulation->Node(i).Transformed(place), triangulation->UVNode(i)});
+  return result;
+}
 
-  /// All errors but those of edges.
-  Face_errors run() const
-  {
-    Face_errors result;
-    for (auto f : m_triangles) {
-      Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-      for (auto h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-        const Point &a = m_mesh.point(source(h, m_mesh)), &b = m_mesh.point(target(h, m_mesh));
-        sum += a - CGAL::ORIGIN;
-        include(result.of_vertices, a, m_surface);
-        include(result.of_sides, CGAL::midpoint(a, b), surfaces_beside(h));
-      }
-      include(result.of_sides, CGAL::ORIGIN + sum / 3, m_surface);
-    }
-    result.of_surface = distance_to_triangles();
-    return result;
-  }
-
-private:
-  static void include(double& farthest, const Point& p, const Surfaces& surfaces)
-  {
+/// All errors of a face but those of edges.
+///
+/// \param triangles what it is compared with
+/// \param points of the face
+Face_errors errors_of(const Solid& solid, const std::vector<Mesh::Face_index>& triangles,
+                      const std::vector<Surface_point>& points, const Surfaces& surface,
+                      const Surfaces& surface_of_label, const Tree& tree)
+{
+  const Mesh& mesh = solid.mesh;
+  const auto include = [](double& farthest, const Point& p, const Surfaces& surfaces) {
     farthest = (std::max)(farthest, distance(surfaces, point_of(p)));
-  }
-
-  /// The surfaces of the faces to both sides of a halfedge.
-  Surfaces surfaces_beside(Mesh::Halfedge_index h) const
-  {
-    Surfaces result = m_surface;
-    const std::size_t label = m_solid.labels[face(opposite(h, m_mesh), m_mesh)];
-    if (const auto& other = m_surface_of_label[label]; !other.IsNull())
-      result.push_back(other);
-    return result;
-  }
-
-  /// The largest distance from vertices of a triangulation of the face to the mesh; 0 if it has
-  /// none.
-  double distance_to_triangles() const
-  {
-    TopLoc_Location place;
-    const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(m_face, place);
-    double farthest = 0;
-    for (int i = 1; !triangulation.IsNull() && i <= triangulation->NbNodes(); ++i) {
-      const gp_Pnt p = triangulation->Node(i).Transformed(place);
-      farthest = (std::max)(farthest, m_tree.squared_distance({p.X(), p.Y(), p.Z()}));
+  };
+  Face_errors result;
+  for (auto f : triangles) {
+    Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+    for (auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const Point &a = mesh.point(source(h, mesh)), &b = mesh.point(target(h, mesh));
+      Surfaces beside = surface;
+      if (const auto& other = surface_of_label[solid.labels[face(opposite(h, mesh), mesh)]];
+          !other.IsNull())
+        beside.push_back(other);
+      sum += a - CGAL::ORIGIN;
+      include(result.of_vertices, a, surface);
+      include(result.of_sides, CGAL::midpoint(a, b), beside);
     }
-    return std::sqrt(farthest);
+    include(result.of_sides, CGAL::ORIGIN + sum / 3, surface);
   }
+  double farthest = points.empty() ? Precision::Infinite() : 0;
+  for (const auto& [p, parameters] : points)
+    farthest = (std::max)(farthest, tree.squared_distance({p.X(), p.Y(), p.Z()}));
+  result.of_surface = std::sqrt(farthest);
+  return result;
+}
 
-  const Solid& m_solid;
-  const Mesh& m_mesh;
-  const std::vector<Mesh::Face_index>& m_triangles;
-  const TopoDS_Face& m_face;
-  const Surfaces& m_surface;
-  const Surfaces& m_surface_of_label;
-  const Tree& m_tree;
-};
+/// The labels of the faces that were read, in their order; none if they are not those of `solid`.
+std::vector<std::size_t> labels_of(const Named_shape& read, const Solid& solid,
+                                   const std::vector<std::string>& names)
+{
+  std::map<std::string, std::size_t> label_of;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    label_of.emplace(names[i], solid.label_of_face[i]);
+  std::vector<std::size_t> result;
+  for (const std::string& name : read.face_names)
+    if (const auto found = label_of.find(name); found != label_of.end()) {
+      result.push_back(found->second);
+      label_of.erase(found);
+    }
+  if (result.size() != read.face_names.size() || !label_of.empty())
+    result.clear();
+  return result;
+}
 
 /// Measures a shape, but for its faces.
 Certificate measure(const TopoDS_Shape& shape)
@@ -155,22 +152,28 @@ Certificate measure(const TopoDS_Shape& shape)
 
 } // namespace
 
-Certificate compare(const TopoDS_Shape& shape, const Solid& solid)
+Certificate compare(const Named_shape& read, const Solid& solid,
+                    const std::vector<std::string>& names)
 {
   constexpr double deflection = 1e-3, angle = 0.3;
-  Certificate result = measure(shape);
-  const std::vector<TopoDS_Face> faces = faces_of(shape);
+  Certificate result = measure(read.shape);
+  if (read.shape.IsNull())
+    return result;
+  BRepMesh_IncrementalMesh(read.shape, deflection * size_of(solid.mesh), false, angle);
+  const std::vector<std::size_t> labels = labels_of(read, solid, names);
+  const std::vector<TopoDS_Face> faces = faces_of(read.shape);
   result.number_of_faces = faces.size();
+  std::vector<std::vector<Surface_point>> points;
   std::vector<Surfaces> surfaces; // of each face one
   std::vector<double> gaps;
   for (const TopoDS_Face& face : faces) {
-    surfaces.push_back({projector(BRep_Tool::Surface(face))});
+    points.push_back(points_of(face));
+    surfaces.push_back({projector(BRep_Tool::Surface(face), points.back())});
     gaps.push_back(distance_of_edges(face, surfaces.back()));
     result.gap = (std::max)(result.gap, gaps.back());
   }
-  if (faces.size() != solid.label_of_face.size())
+  if (labels.empty())
     return result;
-  BRepMesh_IncrementalMesh(shape, deflection * size_of(solid.mesh), false, angle);
   std::vector<std::vector<Mesh::Face_index>> triangles(solid.number_of_labels);
   for (auto f : solid.mesh.faces())
     triangles[solid.labels[f]].push_back(f);
@@ -178,13 +181,11 @@ Certificate compare(const TopoDS_Shape& shape, const Solid& solid)
   result.faces.resize(triangles.size());
   Surfaces surface_of_label(triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
-    surface_of_label[solid.label_of_face[i]] = surfaces[i].front();
+    surface_of_label[labels[i]] = surfaces[i].front();
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const std::size_t label = solid.label_of_face[i];
-    result.faces[label] = Comparison(solid, triangles[label], faces[i], surfaces[i],
-                                     surface_of_label, tree)
-                            .run();
-    result.faces[label].of_edges = gaps[i];
+    Face_errors& errors = result.faces[labels[i]];
+    errors = errors_of(solid, triangles[labels[i]], points[i], surfaces[i], surface_of_label, tree);
+    errors.of_edges = gaps[i];
   }
   return result;
 }

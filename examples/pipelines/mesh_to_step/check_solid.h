@@ -4,10 +4,10 @@
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_CHECK_SOLID_H
 
 #include "make_solid.h"
-
-#include <TopoDS_Shape.hxx>
+#include "step_text.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace mesh_to_step {
@@ -30,11 +30,14 @@ struct Certificate
   std::size_t number_of_solids = 0, number_of_faces = 0;
   double volume = 0, area = 0;
   double gap = 0;                 ///< the largest distance between an edge and its faces
-  std::vector<Face_errors> faces; ///< by label, if the shape has all faces that were made
+  std::vector<Face_errors> faces; ///< by label, if the shape has the faces that were made
 };
 
 /// Measures a shape, which is `solid` as a file has it, and compares it with the mesh.
-Certificate compare(const TopoDS_Shape& shape, const Solid& solid);
+///
+/// \param names of the faces of `solid`, in its order
+Certificate compare(const Named_shape& read, const Solid& solid,
+                    const std::vector<std::string>& names);
 
 } // namespace mesh_to_step
 

@@ -2,15 +2,15 @@
 
 #include "freeform_surface.h"
 
-#include "part_surface.h"
-
+#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/linear_least_squares_fitting_2.h>
 
 #include <BSplCLib.hxx>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -22,40 +22,54 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace mesh_to_step {
 
 namespace {
 
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 constexpr int degree = 3;
+/// Weights of samples: of edges, inside the face, and on triangles, which decide between the
+/// others.
+constexpr double of_border = 30, of_vertex = 1, of_triangles = 0.1;
 
 /// A point that the surface goes through, and its parameters.
 struct Sample
 {
   gp_Pnt point;
-  double u, v;
-  bool is_of_edge;
+  Surface_point foot;
+  double weight;
 };
 
 using Parameters = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>;
 
-/// Whether a conformal map to the plane is found that turns no triangle over.
+/// Whether a map to the plane is found that turns no triangle over.
+template <typename Parameterizer>
+bool flatten(Mesh& mesh, Mesh::Halfedge_index border, const Parameters& uv)
+{
+  if (SMP::parameterize(mesh, Parameterizer(), border, uv) != SMP::OK)
+    return false;
+  return std::all_of(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) {
+    const auto h = halfedge(f, mesh);
+    return CGAL::area(uv[source(h, mesh)], uv[target(h, mesh)], uv[target(next(h, mesh), mesh)]) >
+           0;
+  });
+}
+
+/// The same: as rigid as possible, so that corners keep their size, or conformal, also of a face
+/// with several borders.
 bool flatten(Mesh& mesh, const Parameters& uv)
 {
-  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  using Parameterizer = SMP::LSCM_parameterizer_3<Mesh>;
-  if (border == Mesh::null_halfedge() ||
-      SMP::parameterize(mesh, Parameterizer(), border, uv) != SMP::OK)
-    return false;
-  std::array<bool, 2> found{};
-  for (auto f : faces(mesh)) {
-    const auto h = halfedge(f, mesh);
-    found[CGAL::area(uv[source(h, mesh)], uv[target(h, mesh)], uv[target(next(h, mesh), mesh)]) >
-          0] = true;
-  }
-  return !(found[0] && found[1]);
+  std::vector<Mesh::Halfedge_index> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  if (borders.size() == 1 && flatten<SMP::ARAP_parameterizer_3<Mesh>>(mesh, borders[0], uv))
+    return true;
+  return !borders.empty() &&
+         flatten<SMP::LSCM_parameterizer_3<Mesh>>(mesh, PMP::longest_border(mesh).first, uv);
 }
 
 /// One of the two directions of a surface.
@@ -124,23 +138,29 @@ Handle(Geom_BSplineSurface)
                                  v.multiplicities(), degree, degree);
 }
 
+Eigen::Vector3d vector(const gp_Pnt& p)
+{
+  return {p.X(), p.Y(), p.Z()};
+}
+
 /// The surface of least squares, with a small weight on second differences of control points, which
-/// decides where there are no samples.
+/// decides beyond the face.
 Handle(Geom_BSplineSurface) fit(const std::vector<Sample>& samples, const Knots& u, const Knots& v)
 {
-  constexpr double edge_weight = 30, smoothness = 1e-3;
+  constexpr double smoothness = 1e-3;
   const int columns = v.number_of_controls(), controls = u.number_of_controls() * columns;
+  const Eigen::Vector3d origin = vector(samples.front().point); // rounding is relative to it
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<Eigen::Vector3d> right;
   for (const Sample& s : samples) {
     std::array<double, degree + 1> by_u, by_v;
-    const int first_u = u.values(s.u, by_u), first_v = v.values(s.v, by_v);
-    const double weight = s.is_of_edge ? edge_weight : 1;
+    const int first_u = u.values(s.foot.parameters.X(), by_u),
+              first_v = v.values(s.foot.parameters.Y(), by_v);
     for (int i = 0; i <= degree; ++i)
       for (int j = 0; j <= degree; ++j)
         entries.emplace_back(int(right.size()), (first_u + i) * columns + first_v + j,
-                             weight * by_u[std::size_t(i)] * by_v[std::size_t(j)]);
-    right.push_back(weight * Eigen::Vector3d(s.point.X(), s.point.Y(), s.point.Z()));
+                             s.weight * by_u[std::size_t(i)] * by_v[std::size_t(j)]);
+    right.push_back(s.weight * (vector(s.point) - origin));
   }
   for (int i = 0; i < u.number_of_controls(); ++i)
     for (int j = 0; j < columns; ++j)
@@ -160,97 +180,86 @@ Handle(Geom_BSplineSurface) fit(const std::vector<Sample>& samples, const Knots&
   if (solver.info() != Eigen::Success)
     return nullptr;
   const Eigen::MatrixX3d solution = solver.solve(matrix.transpose() * sides);
-  return surface_of(solution, u, v);
+  return surface_of(solution.rowwise() + origin.transpose(), u, v);
 }
 
-/// Moves the parameters of each sample to those of the point of the surface next to it, and returns
-/// the largest distances: of other samples, and of those of edges.
-std::array<double, 2> move_to_feet(std::vector<Sample>& samples, const Geom_BSplineSurface& surface,
-                                   const Knots& u, const Knots& v)
+/// Moves the foot of each sample to the point of the surface next to it, and returns the largest
+/// distances: of vertices inside the face, and of the border.
+std::array<double, 2> move_feet(std::vector<Sample>& samples, const Geom_Surface& surface)
 {
-  constexpr int steps = 3;
   std::array<double, 2> farthest{};
   for (Sample& s : samples)
-    for (int step = 0; step <= steps; ++step) {
-      gp_Pnt p;
-      gp_Vec by_u, by_v;
-      surface.D1(s.u, s.v, p, by_u, by_v);
-      const gp_Vec d(p, s.point);
-      if (step == steps) {
-        farthest[s.is_of_edge] = (std::max)(farthest[s.is_of_edge], d.Magnitude());
-        break;
-      }
-      if (const auto move = step_to_foot(by_u, by_v, d)) {
-        s.u = u.clamp(s.u + move->X());
-        s.v = v.clamp(s.v + move->Y());
-      }
+    if (s.weight >= of_vertex) {
+      s.foot = descend(surface, s.foot, s.point);
+      double& distance = farthest[s.weight == of_border];
+      distance = (std::max)(distance, s.point.Distance(s.foot.point));
     }
   return farthest;
 }
 
 /// Turns parameters so that the first one runs along the longer side of the face, and scales them
 /// to the lengths of the face.
-void align(Mesh& mesh, const Parameters& uv)
+void align(const Mesh& mesh, const Parameters& uv)
 {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  std::vector<Kernel::Point_2> points;
   for (auto v : vertices(mesh))
-    mean += Eigen::Vector2d(uv[v].x(), uv[v].y()) / double(num_vertices(mesh));
-  Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+    points.push_back(uv[v]);
+  Kernel::Line_2 line;
+  CGAL::linear_least_squares_fitting_2(points.begin(), points.end(), line,
+                                       CGAL::Dimension_tag<0>());
   double flat = 0, length = 0;
-  for (auto v : vertices(mesh)) {
-    const Eigen::Vector2d d = Eigen::Vector2d(uv[v].x(), uv[v].y()) - mean;
-    moments += d * d.transpose();
-  }
   for (auto e : edges(mesh)) {
-    const auto a = source(e, mesh), b = target(e, mesh);
-    flat += CGAL::squared_distance(uv[a], uv[b]);
-    length += CGAL::squared_distance(mesh.point(a), mesh.point(b));
+    flat += CGAL::squared_distance(uv[source(e, mesh)], uv[target(e, mesh)]);
+    length += CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh)));
   }
-  const Eigen::Matrix2d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(moments)
-                                 .eigenvectors();
-  const double scale = std::sqrt(length / flat);
+  Kernel::Vector_2 along = line.to_vector();
+  along *= std::sqrt(length / flat / along.squared_length());
+  const Kernel::Vector_2 across = along.perpendicular(CGAL::COUNTERCLOCKWISE);
   for (auto v : vertices(mesh)) {
-    const Eigen::Vector2d d = scale * (Eigen::Vector2d(uv[v].x(), uv[v].y()) - mean);
-    uv[v] = {axes.col(1).dot(d), axes.col(0).dot(d)};
+    const Kernel::Vector_2 p = uv[v] - CGAL::ORIGIN;
+    uv[v] = {along * p, across * p};
   }
 }
 
-std::vector<Sample> samples_of(Mesh& mesh, const Parameters& uv,
-                               const std::vector<Edge_point>& edges)
+std::vector<Sample> samples_of(const Mesh& mesh, const Parameters& uv)
 {
+  constexpr int divisions = 8; // of a side of a triangle
   std::vector<Sample> result;
-  for (auto v : vertices(mesh)) {
-    const Point& p = mesh.point(v);
-    if (!is_border(v, mesh))
-      result.push_back({{p.x(), p.y(), p.z()}, uv[v].x(), uv[v].y(), false});
-  }
-  for (const Edge_point& e : edges) {
-    const auto p = uv[e.from] + e.share * (uv[e.to] - uv[e.from]);
-    result.push_back({e.point, p.x(), p.y(), true});
-  }
+  const auto add = [&](const Point& point, const Kernel::Point_2& p, double weight) {
+    result.push_back({point_of(point), {point_of(point), {p.x(), p.y()}}, weight});
+  };
+  for (auto v : vertices(mesh))
+    add(mesh.point(v), uv[v], is_border(v, mesh) ? of_border : of_vertex);
+  for (auto e : edges(mesh))
+    for (int i = 1; !is_border(e, mesh) && i < divisions; ++i) {
+      const auto a = source(e, mesh), b = target(e, mesh);
+      const double share = double(i) / divisions;
+      add(mesh.point(a) + share * (mesh.point(b) - mesh.point(a)), uv[a] + share * (uv[b] - uv[a]),
+          of_triangles);
+    }
   return result;
 }
 
 } // namespace
 
-Handle(Geom_Surface)
-  freeform_surface(const Mesh& triangles, const std::vector<Edge_point>& edges, double tolerance)
+Handle(ShapeAnalysis_Surface) freeform_surface(Mesh mesh, double tolerance)
 {
   constexpr double margin = 0.02, edge_share = 0.05;
-  constexpr int most_spans = 64, rounds = 4;
-  Mesh mesh = triangles;
+  constexpr int most_pieces = 4096, rounds = 3;
   const Parameters uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   if (!flatten(mesh, uv))
     return nullptr;
   align(mesh, uv);
-  const std::vector<Sample> samples = samples_of(mesh, uv, edges);
+  const std::vector<Sample> samples = samples_of(mesh, uv);
   CGAL::Bbox_2 box;
   for (const Sample& s : samples)
-    box += CGAL::Bbox_2(s.u, s.v, s.u, s.v);
+    box += Kernel::Point_2(s.foot.parameters.X(), s.foot.parameters.Y()).bbox();
   const double width = box.xmax() - box.xmin(), height = box.ymax() - box.ymin(),
                border = margin * width;
-  for (int spans = 8; spans <= most_spans; spans *= 2) {
-    const int across = (std::max)(4, int(std::ceil(spans * height / width)));
+  for (int spans = 16;; spans *= 2) {
+    const int across = (std::max)(2, int(std::ceil(spans * height / width)));
+    if (spans * across > most_pieces)
+      return nullptr;
     const Knots u(box.xmin() - border, box.xmax() + border, spans),
       v(box.ymin() - border, box.ymax() + border, across);
     std::vector<Sample> moved = samples;
@@ -258,12 +267,16 @@ Handle(Geom_Surface)
       const Handle(Geom_BSplineSurface) surface = fit(moved, u, v);
       if (surface.IsNull())
         break;
-      const auto [of_vertices, of_edges] = move_to_feet(moved, *surface, u, v);
-      if (of_vertices <= tolerance && of_edges <= edge_share * tolerance)
-        return Handle(Geom_Surface)(surface);
+      const auto [of_vertices, of_edges] = move_feet(moved, *surface);
+      if (of_vertices <= tolerance && of_edges <= edge_share * tolerance) {
+        std::vector<Surface_point> feet;
+        for (const Sample& s : moved)
+          if (s.weight >= of_vertex)
+            feet.push_back(s.foot);
+        return projector(surface, std::move(feet));
+      }
     }
   }
-  return nullptr;
 }
 
 } // namespace mesh_to_step

@@ -3,30 +3,17 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_FREEFORM_SURFACE_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_FREEFORM_SURFACE_H
 
-#include "part_mesh.h"
-
-#include <Geom_Surface.hxx>
-#include <gp_Pnt.hxx>
-
-#include <vector>
+#include "part_surface.h"
 
 namespace mesh_to_step {
 
-/// A point of an edge of the solid, beside the side of a triangle from one vertex to another.
-struct Edge_point
-{
-  Mesh::Vertex_index from, to;
-  double share; ///< of the way between them
-  gp_Pnt point;
-};
-
 /// A B-spline surface through the vertices of a freeform face, within a tolerance, and through
-/// points of its edges, within a twentieth of it; null where none is found. The face is flattened
-/// conformally, and its control points are of least squares.
+/// those of its border, within a twentieth of it, with what projects to it; null where none is
+/// found. The face is flattened, and its control points are of least squares. Normals
+/// point as those of the triangles.
 ///
-/// \param triangles those of the face
-Handle(Geom_Surface)
-  freeform_surface(const Mesh& triangles, const std::vector<Edge_point>& edges, double tolerance);
+/// \param mesh the triangles of the face, whose border has many points of its edges
+Handle(ShapeAnalysis_Surface) freeform_surface(Mesh mesh, double tolerance);
 
 } // namespace mesh_to_step
 

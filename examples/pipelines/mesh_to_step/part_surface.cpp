@@ -3,100 +3,60 @@
 #include "part_surface.h"
 
 #include <Eigen/Dense>
-#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_XY.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace mesh_to_step {
 
 namespace {
 
-/// Projects to a B-spline surface: from the nearest of many points of it, by Gauss and Newton's
-/// method, with halved steps where the distance grows. (OpenCASCADE's projection to surfaces of
-/// many spans misses the nearest point.)
-class Spline_projector : public ShapeAnalysis_Surface
+/// Projects to the part of a B-spline surface where its face is. (OpenCASCADE's projection to
+/// surfaces of many spans misses the nearest point.)
+class Freeform_projector : public ShapeAnalysis_Surface
 {
 public:
-  explicit Spline_projector(const Handle(Geom_BSplineSurface) & surface)
+  Freeform_projector(const Handle(Geom_Surface) & surface, std::vector<Surface_point> points)
     : ShapeAnalysis_Surface(surface)
-    , m_surface(surface)
-  {
-    constexpr int per_span = 3, most = 48;
-    surface->Bounds(m_u[0], m_u[1], m_v[0], m_v[1]);
-    const int columns = (std::min)(most, per_span * surface->NbUKnots()),
-              rows = (std::min)(most, per_span * surface->NbVKnots());
-    for (int i = 0; i <= columns; ++i)
-      for (int j = 0; j <= rows; ++j) {
-        const gp_Pnt2d uv(m_u[0] + (m_u[1] - m_u[0]) * i / columns,
-                          m_v[0] + (m_v[1] - m_v[0]) * j / rows);
-        m_samples.emplace_back(uv, surface->Value(uv.X(), uv.Y()));
-      }
-  }
+    , m_points(std::move(points))
+  {}
 
-  /// Starts at several points, since a surface may come back to itself beyond the face.
   gp_Pnt2d nearest(const gp_Pnt& p) const
   {
-    constexpr std::size_t starts = 16;
-    std::vector<std::pair<double, gp_Pnt2d>> found;
-    for (const auto& [uv, q] : m_samples)
-      found.emplace_back(p.SquareDistance(q), uv);
-    const auto is_nearer = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::partial_sort(found.begin(), found.begin() + starts, found.end(), is_nearer);
-    found.resize(starts);
-    for (auto& [squared_distance, uv] : found)
-      squared_distance = descend(p, uv);
-    return std::min_element(found.begin(), found.end(), is_nearer)->second;
+    constexpr std::size_t most_starts = 4;
+    const auto is_nearer = [&](const Surface_point& a, const Surface_point& b) {
+      return p.SquareDistance(a.point) < p.SquareDistance(b.point);
+    };
+    std::vector<Surface_point> found((std::min)(most_starts, m_points.size()));
+    std::partial_sort_copy(m_points.begin(), m_points.end(), found.begin(), found.end(), is_nearer);
+    for (Surface_point& start : found)
+      start = descend(*Surface(), start, p);
+    return std::min_element(found.begin(), found.end(), is_nearer)->parameters;
   }
 
 private:
-  /// Moves parameters to those of a nearest point, and returns its squared distance.
-  double descend(const gp_Pnt& p, gp_Pnt2d& best) const
-  {
-    constexpr int steps = 12;
-    double least = std::numeric_limits<double>::infinity();
-    gp_XY uv = best.XY(), move;
-    for (int step = 0; step < steps; ++step) {
-      gp_Pnt q;
-      gp_Vec by_u, by_v;
-      m_surface->D1(uv.X(), uv.Y(), q, by_u, by_v);
-      const gp_Vec d(q, p);
-      if (d.SquareMagnitude() < least) {
-        least = d.SquareMagnitude();
-        best = uv;
-        const std::optional<gp_XY> step_to_point = step_to_foot(by_u, by_v, d);
-        if (!step_to_point)
-          break;
-        move = *step_to_point;
-      } else
-        move /= 2;
-      uv = best.XY() + move;
-      uv = {std::clamp(uv.X(), m_u[0], m_u[1]), std::clamp(uv.Y(), m_v[0], m_v[1])};
-    }
-    return least;
-  }
-
-  Handle(Geom_BSplineSurface) m_surface;
-  double m_u[2], m_v[2];
-  std::vector<std::pair<gp_Pnt2d, gp_Pnt>> m_samples;
+  std::vector<Surface_point> m_points;
 };
 
 } // namespace
 
-Handle(ShapeAnalysis_Surface) projector(const Handle(Geom_Surface) & surface)
+Handle(ShapeAnalysis_Surface)
+  projector(const Handle(Geom_Surface) & surface, std::vector<Surface_point> points)
 {
-  const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface);
-  if (spline.IsNull())
+  if (points.empty() || surface->IsKind(STANDARD_TYPE(Geom_ElementarySurface)))
     return new ShapeAnalysis_Surface(surface);
-  return new Spline_projector(spline);
+  return new Freeform_projector(surface, std::move(points));
 }
 
 gp_Dir seam_direction(const gp_Dir& axis)
@@ -126,8 +86,8 @@ Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
 
 gp_Pnt2d parameters_of_foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
 {
-  const auto* const spline = dynamic_cast<const Spline_projector*>(surface.get());
-  return spline ? spline->nearest(p) : surface->ValueOfUV(p, 1e-9);
+  const auto* const freeform = dynamic_cast<const Freeform_projector*>(surface.get());
+  return freeform ? freeform->nearest(p) : surface->ValueOfUV(p, 1e-9);
 }
 
 Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
@@ -142,13 +102,32 @@ Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p)
   return result;
 }
 
-std::optional<gp_XY> step_to_foot(const gp_Vec& by_u, const gp_Vec& by_v, const gp_Vec& d)
+Surface_point descend(const Geom_Surface& surface, Surface_point from, const gp_Pnt& p)
 {
-  const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, determinant = a * c - b * b;
-  if (!(determinant > 1e-12 * a * c))
-    return std::nullopt;
-  return gp_XY((c * (d * by_u) - b * (d * by_v)) / determinant,
-               (a * (d * by_v) - b * (d * by_u)) / determinant);
+  constexpr int steps = 12;
+  double least = std::numeric_limits<double>::infinity();
+  std::array<double, 4> bounds;
+  surface.Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
+  Surface_point next = from;
+  gp_XY move;
+  for (int step = 0; step < steps; ++step) {
+    gp_Vec by_u, by_v;
+    surface.D1(next.parameters.X(), next.parameters.Y(), next.point, by_u, by_v);
+    const gp_Vec d(next.point, p);
+    if (d.SquareMagnitude() < least) {
+      least = d.SquareMagnitude();
+      from = next;
+      const double a = by_u * by_u, b = by_u * by_v, c = by_v * by_v, determinant = a * c - b * b;
+      if (!(determinant > 1e-12 * a * c))
+        break; // no normal
+      move = gp_XY(c * (d * by_u) - b * (d * by_v), a * (d * by_v) - b * (d * by_u)) / determinant;
+    } else
+      move /= 2;
+    next.parameters = from.parameters.XY() + move;
+    next.parameters = {std::clamp(next.parameters.X(), bounds[0], bounds[1]),
+                       std::clamp(next.parameters.Y(), bounds[2], bounds[3])};
+  }
+  return from;
 }
 
 double distance(const Surfaces& surfaces, const gp_Pnt& p)

@@ -11,9 +11,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
 #include <gp_Vec.hxx>
-#include <gp_XY.hxx>
 
-#include <optional>
 #include <vector>
 
 namespace mesh_to_step {
@@ -34,8 +32,19 @@ gp_Dir seam_direction(const gp_Dir& axis);
 /// A surface that is not freeform, as OpenCASCADE has it.
 Handle(Geom_Surface) simple_surface(const Fitted_surface& s);
 
+/// A point of a surface, and its parameters.
+struct Surface_point
+{
+  gp_Pnt point;
+  gp_Pnt2d parameters;
+};
+
 /// A surface with what projects points to it.
-Handle(ShapeAnalysis_Surface) projector(const Handle(Geom_Surface) & surface);
+///
+/// \param points of a freeform face: projections start at the nearest of them, since a B-spline
+///        surface may come back to itself beyond its face
+Handle(ShapeAnalysis_Surface)
+  projector(const Handle(Geom_Surface) & surface, std::vector<Surface_point> points = {});
 
 /// The parameters of the point of a surface next to `p`.
 gp_Pnt2d parameters_of_foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p);
@@ -49,12 +58,9 @@ struct Foot
 
 Foot foot(const Handle(ShapeAnalysis_Surface) & surface, const gp_Pnt& p);
 
-/// The step of the parameters towards those of the foot of a point, by Gauss and Newton's method;
-/// none where the surface has no normal.
-///
-/// \param by_u, by_v derivatives of the surface at the parameters
-/// \param d the vector from the point there to the other one
-std::optional<gp_XY> step_to_foot(const gp_Vec& by_u, const gp_Vec& by_v, const gp_Vec& d);
+/// Moves a point along a surface to one that is nearest to `p`, by Gauss and Newton's method, with
+/// halved steps where the distance grows.
+Surface_point descend(const Geom_Surface& surface, Surface_point from, const gp_Pnt& p);
 
 /// The distance of a point to the farthest of the surfaces.
 double distance(const Surfaces& surfaces, const gp_Pnt& p);

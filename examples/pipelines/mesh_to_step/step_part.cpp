@@ -129,13 +129,13 @@ void check_size(const Mesh& mesh)
   throw Standard_Failure(text.str().c_str());
 }
 
-/// "torus_4", or "facet".
+/// "torus_4" for a face of the part, or "facet_27".
 std::vector<std::string> face_names(const Solid& solid, const Part_faces& faces)
 {
   std::vector<std::string> result;
   for (const std::size_t label : solid.label_of_face) {
     const bool is_facet = label >= faces.size() || solid.faces_as_facets.count(label) > 0;
-    result.push_back(is_facet ? "facet" : face_name(faces, label));
+    result.push_back(is_facet ? "facet_" + std::to_string(label) : face_name(faces, label));
   }
   return result;
 }
@@ -167,8 +167,9 @@ Step_part make_step_part(Mesh mesh, Facets facets, Design_intent intent)
     result.report = report(faces, log, solid, {}, false);
     return result;
   }
-  result.text = step_text(solid.shape, face_names(solid, faces));
-  const Certificate certificate = compare(shape_of(result.text), solid);
+  const std::vector<std::string> names = face_names(solid, faces);
+  result.text = step_text(solid.shape, names);
+  const Certificate certificate = compare(shape_of(result.text), solid, names);
   const std::set<std::size_t> wrong = wrong_faces(certificate, faces, size_of(mesh));
   tell_errors(wrong, certificate, solid, faces, result.remarks);
   const bool is_right = tell_whole(certificate, solid, result.remarks);

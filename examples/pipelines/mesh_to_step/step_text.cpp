@@ -15,6 +15,7 @@
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferReader.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
@@ -60,15 +61,22 @@ std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>&
   return text.str();
 }
 
-TopoDS_Shape shape_of(const std::string& step_text)
+Named_shape shape_of(const std::string& step_text)
 {
   be_silent();
   STEPControl_Reader reader;
   std::istringstream text(step_text);
+  Named_shape result;
   if (reader.ReadStream("part", text) != IFSelect_RetDone)
-    return {};
+    return result;
   reader.TransferRoots();
-  return reader.OneShape();
+  result.shape = reader.OneShape();
+  for (TopExp_Explorer face(result.shape, TopAbs_FACE); face.More(); face.Next()) {
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
+      reader.WS()->TransferReader()->EntityFromShapeResult(face.Current(), 1));
+    result.face_names.push_back(item.IsNull() ? "" : item->Name()->ToCString());
+  }
+  return result;
 }
 
 } // namespace mesh_to_step

@@ -10,13 +10,21 @@
 
 namespace mesh_to_step {
 
+/// A shape that was read from a STEP file, and the names of its faces, in its order: OpenCASCADE
+/// may read them in another order than they were written in.
+struct Named_shape
+{
+  TopoDS_Shape shape; ///< null if it cannot be read
+  std::vector<std::string> face_names;
+};
+
 /// The text of a STEP file, lengths in mm; empty if the shape cannot be written.
 ///
 /// \param face_names of the faces, in the order of the shape; solids are `body_1`, `body_2`, ...
-std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>& face_names = {});
+std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>& face_names);
 
-/// The shape in such a text; null if it cannot be read.
-TopoDS_Shape shape_of(const std::string& step_text);
+/// The shape in such a text.
+Named_shape shape_of(const std::string& step_text);
 
 } // namespace mesh_to_step
 
