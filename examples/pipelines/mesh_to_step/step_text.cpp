@@ -14,6 +14,7 @@
 #include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_TransferWriter.hxx>
@@ -72,8 +73,10 @@ Named_shape shape_of(const std::string& step_text)
   reader.TransferRoots();
   result.shape = reader.OneShape();
   for (TopExp_Explorer face(result.shape, TopAbs_FACE); face.More(); face.Next()) {
+    // The reader knows the faces of a body without the place of the body in an assembly.
+    const TopoDS_Shape in_its_body = face.Current().Located(TopLoc_Location());
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
-      reader.WS()->TransferReader()->EntityFromShapeResult(face.Current(), 1));
+      reader.WS()->TransferReader()->EntityFromShapeResult(in_its_body, 1));
     result.face_names.push_back(item.IsNull() ? "" : item->Name()->ToCString());
   }
   return result;
