@@ -34,7 +34,6 @@ Soup_part_faces find_part_faces(const Polygon_soup& soup, double tolerance,
                                                          execution.stage("regions"));
   Soup_part_faces result;
   result.faces = RS::internal::part_faces<CGAL::Simple_cartesian<double>>(surface, found);
-  RS::internal::add_neighbors(surface, found, result.faces);
   for (std::size_t f = 0; f < soup.polygons.size(); ++f)
     result.labels.push_back(std::int32_t(found.partition[f]));
   return result;

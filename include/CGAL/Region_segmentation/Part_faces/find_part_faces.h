@@ -26,26 +26,6 @@ namespace CGAL {
 namespace Region_segmentation {
 namespace internal {
 
-/// The faces in units of the mesh, without their neighbors.
-template <typename Kernel>
-std::vector<Part_face<Kernel>> part_faces(const Surface& surface, const Surface_faces& faces)
-{
-  const double unit = surface.unit();
-  const std::vector<Partition::Index> surfaces = find_common_surfaces(surface, faces),
-                                      axes = find_common_axes(faces);
-  std::vector<Part_face<Kernel>> result(faces.surfaces.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    Part_face<Kernel>& face = result[i];
-    face.surface = scaled<Kernel>(faces.surfaces[i], unit);
-    face.role = faces.roles[i];
-    face.first_on_surface = surfaces[i];
-    face.first_on_axis = axes[i];
-  }
-  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    result[faces.partition[f]].area += unit * (unit * surface.area(f));
-  return result;
-}
-
 template <typename Kernel>
 void add_neighbors(const Surface& surface, const Surface_faces& faces,
                    std::vector<Part_face<Kernel>>& result)
@@ -63,6 +43,27 @@ void add_neighbors(const Surface& surface, const Surface_faces& faces,
   for (Part_face<Kernel>& face : result)
     std::sort(face.neighbors.begin(), face.neighbors.end(),
               [](const auto& s, const auto& t) { return s.face < t.face; });
+}
+
+/// The faces in units of the mesh.
+template <typename Kernel>
+std::vector<Part_face<Kernel>> part_faces(const Surface& surface, const Surface_faces& faces)
+{
+  const double unit = surface.unit();
+  const std::vector<Partition::Index> surfaces = find_common_surfaces(surface, faces),
+                                      axes = find_common_axes(faces);
+  std::vector<Part_face<Kernel>> result(faces.surfaces.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    Part_face<Kernel>& face = result[i];
+    face.surface = scaled<Kernel>(faces.surfaces[i], unit);
+    face.role = faces.roles[i];
+    face.first_on_surface = surfaces[i];
+    face.first_on_axis = axes[i];
+  }
+  for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    result[faces.partition[f]].area += unit * (unit * surface.area(f));
+  add_neighbors(surface, faces, result);
+  return result;
 }
 
 } // namespace internal
@@ -131,7 +132,6 @@ std::size_t find_part_faces(const FaceGraph& mesh, PartFaceMap part_face_map,
     CGAL::parameters::get_parameter(pack, internal_np::tolerance), 0.0);
   const Surface_faces found = find_surface_faces(surface, tolerance, execution.stage("regions"));
   std::vector<Part_face<Kernel>> result = internal::part_faces<Kernel>(surface, found);
-  internal::add_neighbors(surface, found, result);
   write_face_values(mesh, found.partition, part_face_map);
   for (Part_face<Kernel>& face : result)
     *part_faces++ = std::move(face);
