@@ -26,7 +26,7 @@ if [ ! -e "$root/build/bin/segment_mesh" ]; then
     echo "${missing#-- }" >&2
     exit 1
   fi
-  echo "The program segment_mesh is compiled now, once, in some two minutes of one core (with two, in one)." >&2
+  echo "The program segment_mesh is compiled now, once, in some two minutes of one core (75 seconds of two)." >&2
 fi
 cmake --build "$root/build" -j 2 --target segment_mesh
 
