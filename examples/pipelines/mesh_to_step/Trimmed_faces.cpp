@@ -70,7 +70,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      m_surfaces[face] = projector(simple_surface(with_axis(face)));
+      m_surfaces[face] = projector(simple_surface(m_faces.surfaces[face], frame(face)));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -89,7 +89,7 @@ bool Trimmed_faces::is_right(std::size_t face) const
 {
   constexpr double tolerance = 0.05, precision_of_area = 1e-4; // of the area
   const TopoDS_Shape& shape = m_shapes[face];
-  if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE)
+  if (shape.IsNull())
     return false;
   GProp_GProps measured;
   if (is_freeform(face))
@@ -134,46 +134,59 @@ Surfaces Trimmed_faces::simple_surfaces(const std::set<std::size_t>& faces) cons
   return result;
 }
 
-/// The surface of a face. The axis of a sphere may be any: the first one, of the directions of
-/// neighbors and of others, whose poles are not near the border of the face, and whose seam crosses
-/// it at most once.
-Fitted_surface Trimmed_faces::with_axis(std::size_t face) const
+/// The frame of the surface of a face. Its seam may be anywhere around the axis, and the axis of a
+/// sphere any: the first of some frames whose seam crosses the border of the face least, with no
+/// pole near it.
+gp_Ax3 Trimmed_faces::frame(std::size_t face) const
 {
-  constexpr int number_of_others = 100;
-  Fitted_surface result = m_faces.surfaces[face];
-  if (result.kind != RS::Surface_kind::SPHERE)
-    return result;
-  std::vector<Kernel::Vector_3> candidates;
-  for (Halfedge h : m_border_halfedges[face])
-    if (const std::size_t other = label(opposite(h, m_mesh)); !is_freeform(other))
-      candidates.push_back(m_faces.surfaces[other].direction);
-  for (int i = 0; i < number_of_others; ++i) { // on a spiral from pole to pole
-    const double z = (i + 0.5) / number_of_others, r = std::sqrt(1 - z * z), angle = 2.4 * i;
-    candidates.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+  constexpr int number = 100;
+  const Fitted_surface& s = m_faces.surfaces[face];
+  std::vector<gp_Ax3> candidates;
+  const auto add = [&](double x, double y, double z) {
+    const gp_Dir axis(x, y, z);
+    candidates.emplace_back(point_of(s.point), axis, seam_direction(axis));
+  };
+  if (s.kind == RS::Surface_kind::SPHERE) {
+    std::set<std::size_t> neighbors;
+    for (Halfedge h : m_border_halfedges[face])
+      neighbors.insert(label(opposite(h, m_mesh)));
+    for (const std::size_t neighbor : neighbors)
+      if (const auto& d = m_faces.surfaces[neighbor].direction; !is_freeform(neighbor))
+        add(d.x(), d.y(), d.z());
+    for (int i = 0; i < number; ++i) { // on a spiral from pole to pole
+      const double z = (i + 0.5) / number, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+      add(r * std::cos(angle), r * std::sin(angle), z);
+    }
+  } else {
+    add(s.direction.x(), s.direction.y(), s.direction.z());
+    for (int i = 1; s.has_axis() && i < number; ++i)
+      candidates.push_back(candidates[0].Rotated(candidates[0].Axis(), 2 * M_PI * i / number));
   }
-  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const auto& axis) {
-    return can_be_axis(gp_Dir(axis.x(), axis.y(), axis.z()), face);
-  });
-  if (found != candidates.end())
-    result.direction = *found;
-  return result;
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [&](const gp_Ax3& a, const gp_Ax3& b) {
+                             return crossings(a, face) < crossings(b, face);
+                           });
 }
 
-bool Trimmed_faces::can_be_axis(const gp_Dir& axis, std::size_t face) const
+/// How often the border of a face comes to the seam and goes back, and whether the face is there;
+/// many if the border meets a pole.
+std::size_t Trimmed_faces::crossings(const gp_Ax3& frame, std::size_t face) const
 {
   constexpr double farthest = 0.98; // of a point of the border along the axis, of the radius
-  const gp_Vec seam(seam_direction(axis)), beside = gp_Vec(axis) ^ seam;
   const Fitted_surface& s = m_faces.surfaces[face];
-  int crossings = 0;
-  for (Halfedge h : m_border_halfedges[face]) {
-    const gp_Vec from(point_of(s.point), source_point(h)),
-      to(point_of(s.point), source_point(next(h, m_mesh)));
-    if (std::fabs(from.Dot(axis)) > farthest * s.radius)
-      return false;
-    if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
-      ++crossings;
-  }
-  return crossings <= 1;
+  const gp_Vec axis(frame.Direction()), seam(frame.XDirection()), beside(frame.YDirection());
+  std::size_t of_border = 0, inside = 0;
+  for (auto f : m_triangles[face])
+    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+      const bool is_border = label(opposite(h, m_mesh)) != face;
+      const gp_Vec from(frame.Location(), source_point(h)),
+        to(frame.Location(), source_point(next(h, m_mesh)));
+      if (!s.has_axis() && is_border && std::fabs(from.Dot(axis)) > farthest * s.radius)
+        return m_triangles[face].size();
+      if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
+        ++(is_border ? of_border : inside);
+    }
+  return of_border / 2 + (inside > 0 && s.has_axis());
 }
 
 /// A surface through the vertices of a freeform face, and points of its edges.
@@ -266,34 +279,34 @@ double Trimmed_faces::tolerance_along(Halfedge h) const
 void Trimmed_faces::make_edge(const Halfedges& chain, bool is_closed)
 {
   const Surfaces surfaces = surfaces_along(chain.front());
-  Points points;
+  Border border{{}, is_closed};
   for (Halfedge h : chain)
-    points.push_back(nearest_point(surfaces, source_point(h)));
-  points.push_back(points.front());
+    border.points.push_back(nearest_point(surfaces, source_point(h)));
+  border.points.push_back(border.points.front());
   TopoDS_Vertex first, last;
   if (!is_closed) {
     first = vertex(source(chain.front(), m_mesh));
     last = vertex(target(chain.back(), m_mesh));
-    points.front() = BRep_Tool::Pnt(first);
-    points.back() = BRep_Tool::Pnt(last);
+    border.points.front() = BRep_Tool::Pnt(first);
+    border.points.back() = BRep_Tool::Pnt(last);
   }
-  const Border_curve border = make_curve(points, surfaces, tolerance_along(chain.front()));
+  const Border_curve curve = make_curve(border, surfaces, tolerance_along(chain.front()));
   if (is_closed) {
-    m_builder.MakeVertex(first, border.piece.curve->Value(border.piece.first), precision);
+    m_builder.MakeVertex(first, curve.piece.curve->Value(curve.piece.first), precision);
     last = first;
   }
   TopoDS_Edge edge;
-  m_builder.MakeEdge(edge, border.piece.curve, precision);
+  m_builder.MakeEdge(edge, curve.piece.curve, precision);
   m_builder.Add(edge, first.Oriented(TopAbs_FORWARD));
   m_builder.Add(edge, last.Oriented(TopAbs_REVERSED));
-  m_builder.Range(edge, border.piece.first, border.piece.last);
+  m_builder.Range(edge, curve.piece.first, curve.piece.last);
   ShapeFix_Edge().FixVertexTolerance(edge);
   m_edges[chain.front()] = edge;
   m_edges[opposite(chain.back(), m_mesh)] = TopoDS::Edge(edge.Reversed());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double from = border.parameters[i], to = border.parameters[i + 1];
-    m_pieces[chain[i]] = {border.piece.curve, from, to};
-    m_pieces[opposite(chain[i], m_mesh)] = {border.piece.curve, to, from};
+    const double from = curve.parameters[i], to = curve.parameters[i + 1];
+    m_pieces[chain[i]] = {curve.piece.curve, from, to};
+    m_pieces[opposite(chain[i], m_mesh)] = {curve.piece.curve, to, from};
   }
 }
 

@@ -37,7 +37,7 @@ public:
   /// \param mesh closed
   Trimmed_faces(const Mesh& mesh, const Labelled_faces& faces);
 
-  /// By label; null of a freeform face without a surface, several faces where making one failed.
+  /// By label; null of a freeform face without a surface, several faces where seams divide one.
   const std::vector<TopoDS_Shape>& shapes() const { return m_shapes; }
   /// What area and volume should be, by label.
   const std::vector<Measures>& measures() const { return m_measures; }
@@ -57,8 +57,8 @@ private:
   std::vector<Halfedges> loops(std::size_t face) const;
   Halfedge next_at_border(Halfedge h) const;
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
-  Fitted_surface with_axis(std::size_t face) const;
-  bool can_be_axis(const gp_Dir& axis, std::size_t face) const;
+  gp_Ax3 frame(std::size_t face) const;
+  std::size_t crossings(const gp_Ax3& frame, std::size_t face) const;
 
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);

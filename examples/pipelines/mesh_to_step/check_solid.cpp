@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace mesh_to_step {
 
@@ -81,19 +82,19 @@ std::vector<Surface_point> points_of(const TopoDS_Face& face)
   return result;
 }
 
-/// All errors of a face but those of edges.
+/// Includes all errors of a face but those of edges.
 ///
 /// \param triangles what it is compared with
 /// \param points of the face
-Face_errors errors_of(const Solid& solid, const std::vector<Mesh::Face_index>& triangles,
-                      const std::vector<Surface_point>& points, const Surfaces& surface,
-                      const Surfaces& surface_of_label, const Tree& tree)
+void include_errors(Face_errors& result, const Solid& solid,
+                    const std::vector<Mesh::Face_index>& triangles,
+                    const std::vector<Surface_point>& points, const Surfaces& surface,
+                    const Surfaces& surface_of_label, const Tree& tree)
 {
   const Mesh& mesh = solid.mesh;
   const auto include = [](double& farthest, const Point& p, const Surfaces& surfaces) {
     farthest = (std::max)(farthest, distance(surfaces, point_of(p)));
   };
-  Face_errors result;
   for (auto f : triangles) {
     Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
     for (auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
@@ -111,8 +112,7 @@ Face_errors errors_of(const Solid& solid, const std::vector<Mesh::Face_index>& t
   double farthest = points.empty() ? Precision::Infinite() : 0;
   for (const auto& [p, parameters] : points)
     farthest = (std::max)(farthest, tree.squared_distance({p.X(), p.Y(), p.Z()}));
-  result.of_surface = std::sqrt(farthest);
-  return result;
+  result.of_surface = (std::max)(result.of_surface, std::sqrt(farthest));
 }
 
 /// The labels of the faces that were read, in their order; none if they are not those of `solid`.
@@ -123,13 +123,10 @@ std::vector<std::size_t> labels_of(const Named_shape& read, const Solid& solid,
   for (std::size_t i = 0; i < names.size(); ++i)
     label_of.emplace(names[i], solid.label_of_face[i]);
   std::vector<std::size_t> result;
-  for (const std::string& name : read.face_names)
-    if (const auto found = label_of.find(name); found != label_of.end()) {
-      result.push_back(found->second);
-      label_of.erase(found);
-    }
-  if (result.size() != read.face_names.size() || !label_of.empty())
-    result.clear();
+  using Names = std::multiset<std::string>; // seams may divide a face
+  if (Names(names.begin(), names.end()) == Names(read.face_names.begin(), read.face_names.end()))
+    for (const std::string& name : read.face_names)
+      result.push_back(label_of[name]);
   return result;
 }
 
@@ -184,8 +181,9 @@ Certificate compare(const Named_shape& read, const Solid& solid,
     surface_of_label[labels[i]] = surfaces[i].front();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     Face_errors& errors = result.faces[labels[i]];
-    errors = errors_of(solid, triangles[labels[i]], points[i], surfaces[i], surface_of_label, tree);
-    errors.of_edges = gaps[i];
+    include_errors(errors, solid, triangles[labels[i]], points[i], surfaces[i], surface_of_label,
+                   tree);
+    errors.of_edges = (std::max)(errors.of_edges, gaps[i]);
   }
   return result;
 }

@@ -8,7 +8,14 @@
 
 namespace mesh_to_step {
 
-/// The curve along a border of two faces.
+/// A border of two faces, from its start to its end.
+struct Border
+{
+  Points points;
+  bool is_closed; ///< else the ends are two vertices, which may be at one point
+};
+
+/// The curve along a border.
 struct Border_curve
 {
   Curve_piece piece;              ///< from its start to its end
@@ -17,11 +24,10 @@ struct Border_curve
 
 /// The line, circle or ellipse that both surfaces have in common and that goes through the points,
 /// within the tolerance; else a B-spline through points on the surfaces.
+/// A closed circle begins in the seam direction of its axis.
 ///
-/// \param points of the border, from its start to its end, which are equal if it is closed; a full
-///        circle begins in the seam direction of its axis
 /// \param surfaces those of the two faces that are not freeform
-Border_curve make_curve(const Points& points, const Surfaces& surfaces, double tolerance);
+Border_curve make_curve(const Border& border, const Surfaces& surfaces, double tolerance);
 
 /// The largest distance to a surface of points of the curve: of samples + 1 ones.
 double gap(const Curve_piece& piece, const Surfaces& surfaces, int samples);
