@@ -162,31 +162,40 @@ gp_Ax3 Trimmed_faces::frame(std::size_t face) const
     for (int i = 1; s.has_axis() && i < number; ++i)
       candidates.push_back(candidates[0].Rotated(candidates[0].Axis(), 2 * M_PI * i / number));
   }
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [&](const gp_Ax3& a, const gp_Ax3& b) {
-                             return crossings(a, face) < crossings(b, face);
-                           });
+  const std::vector<Halfedges> borders = loops(face);
+  const auto is_better = [&](const gp_Ax3& a, const gp_Ax3& b) {
+    return crossings(a, face, borders) < crossings(b, face, borders);
+  };
+  return *std::min_element(candidates.begin(), candidates.end(), is_better);
 }
 
-/// How often the border of a face comes to the seam and goes back, and whether the face is there;
-/// many if the border meets a pole.
-std::size_t Trimmed_faces::crossings(const gp_Ax3& frame, std::size_t face) const
+/// How many borders of a face come to the seam and go back, one more if the face is there; many if
+/// a border meets a pole.
+std::size_t Trimmed_faces::crossings(const gp_Ax3& frame, std::size_t face,
+                                     const std::vector<Halfedges>& borders) const
 {
   constexpr double farthest = 0.98; // of a point of the border along the axis, of the radius
   const Fitted_surface& s = m_faces.surfaces[face];
   const gp_Vec axis(frame.Direction()), seam(frame.XDirection()), beside(frame.YDirection());
-  std::size_t of_border = 0, inside = 0;
-  for (auto f : m_triangles[face])
-    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const bool is_border = label(opposite(h, m_mesh)) != face;
-      const gp_Vec from(frame.Location(), source_point(h)),
-        to(frame.Location(), source_point(next(h, m_mesh)));
-      if (!s.has_axis() && is_border && std::fabs(from.Dot(axis)) > farthest * s.radius)
-        return m_triangles[face].size();
-      if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
-        ++(is_border ? of_border : inside);
-    }
-  return of_border / 2 + (inside > 0 && s.has_axis());
+  const auto from_center = [&](Halfedge h) { return gp_Vec(frame.Location(), source_point(h)); };
+  const auto is_at_seam = [&](Halfedge h) {
+    const gp_Vec from = from_center(h), to = from_center(next(h, m_mesh));
+    return (from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0);
+  };
+  const auto is_at_pole = [&](Halfedge h) {
+    return std::fabs(from_center(h).Dot(axis)) > farthest * s.radius;
+  };
+  std::size_t result = 0;
+  for (const Halfedges& border : borders) {
+    if (s.kind == RS::Surface_kind::SPHERE && std::any_of(border.begin(), border.end(), is_at_pole))
+      return borders.size() + 1;
+    result += std::count_if(border.begin(), border.end(), is_at_seam) > 1;
+  }
+  const auto& triangles = m_triangles[face];
+  return result + (s.has_axis() && std::any_of(triangles.begin(), triangles.end(), [&](auto f) {
+                     const auto around = halfedges_around_face(halfedge(f, m_mesh), m_mesh);
+                     return std::any_of(around.begin(), around.end(), is_at_seam);
+                   }));
 }
 
 /// A surface through the vertices of a freeform face, and points of its edges.

@@ -58,7 +58,8 @@ private:
   Halfedge next_at_border(Halfedge h) const;
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
   gp_Ax3 frame(std::size_t face) const;
-  std::size_t crossings(const gp_Ax3& frame, std::size_t face) const;
+  std::size_t crossings(const gp_Ax3& frame, std::size_t face,
+                        const std::vector<Halfedges>& borders) const;
 
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);

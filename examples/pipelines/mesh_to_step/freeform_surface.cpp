@@ -4,10 +4,12 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/linear_least_squares_fitting_2.h>
 
 #include <BSplCLib.hxx>
@@ -47,12 +49,9 @@ struct Sample
 
 using Parameters = Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>;
 
-/// Whether a map to the plane is found that turns no triangle over.
-template <typename Parameterizer>
-bool flatten(Mesh& mesh, Mesh::Halfedge_index border, const Parameters& uv)
+/// Whether a map to the plane turns no triangle over.
+bool is_flat(const Mesh& mesh, const Parameters& uv)
 {
-  if (SMP::parameterize(mesh, Parameterizer(), border, uv) != SMP::OK)
-    return false;
   return std::all_of(mesh.faces_begin(), mesh.faces_end(), [&](Mesh::Face_index f) {
     const auto h = halfedge(f, mesh);
     return CGAL::area(uv[source(h, mesh)], uv[target(h, mesh)], uv[target(next(h, mesh), mesh)]) >
@@ -60,16 +59,25 @@ bool flatten(Mesh& mesh, Mesh::Halfedge_index border, const Parameters& uv)
   });
 }
 
-/// The same: as rigid as possible, so that corners keep their size, or conformal, also of a face
-/// with several borders.
+/// Whether a map to the plane is found: as rigid as possible, so that corners keep their size,
+/// where all borders but the longest are filled meanwhile; else conformal.
 bool flatten(Mesh& mesh, const Parameters& uv)
 {
+  const auto [outer, length] = PMP::longest_border(mesh);
   std::vector<Mesh::Halfedge_index> borders;
+  std::vector<Mesh::Face_index> filling;
   PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  if (borders.size() == 1 && flatten<SMP::ARAP_parameterizer_3<Mesh>>(mesh, borders[0], uv))
-    return true;
-  return !borders.empty() &&
-         flatten<SMP::LSCM_parameterizer_3<Mesh>>(mesh, PMP::longest_border(mesh).first, uv);
+  if (borders.empty())
+    return false;
+  for (const auto border : borders)
+    if (PMP::face_border_length(border, mesh) < length)
+      PMP::triangulate_hole(mesh, border, std::back_inserter(filling));
+  const auto rigid = SMP::parameterize(mesh, SMP::ARAP_parameterizer_3<Mesh>(), outer, uv);
+  for (const auto f : filling)
+    CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+  return (rigid == SMP::OK && is_flat(mesh, uv)) ||
+         (SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), outer, uv) == SMP::OK &&
+          is_flat(mesh, uv));
 }
 
 /// One of the two directions of a surface.
@@ -245,7 +253,7 @@ std::vector<Sample> samples_of(const Mesh& mesh, const Parameters& uv)
 Handle(ShapeAnalysis_Surface) freeform_surface(Mesh mesh, double tolerance)
 {
   constexpr double margin = 0.02, edge_share = 0.05;
-  constexpr int most_pieces = 4096, rounds = 3;
+  constexpr int most_pieces = 16384, rounds = 3;
   const Parameters uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   if (!flatten(mesh, uv))
     return nullptr;

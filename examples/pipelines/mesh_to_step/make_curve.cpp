@@ -79,8 +79,7 @@ std::optional<Border_curve> circle_through(const Border& border)
   const std::size_t n = points.size();
   if (n < 3)
     return std::nullopt;
-  const gce_MakeCirc circle(points[0], points[n / 3],
-                            points[border.is_closed ? 2 * n / 3 : n - 1]);
+  const gce_MakeCirc circle(points[0], points[n / 3], points[border.is_closed ? 2 * n / 3 : n - 1]);
   if (!circle.IsDone())
     return std::nullopt;
   return circle_around(circle.Value().Axis(), border);
