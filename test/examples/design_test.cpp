@@ -7,17 +7,12 @@
 #include "step_part.h"
 
 #include "../shapes_with_faces.h"
+#include "mesh_of.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRep_Tool.hxx>
-#include <Poly_Triangulation.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -93,30 +88,6 @@ TEST(Design, numbers_that_are_not_round_or_not_known_well_stay)
 {
   EXPECT_TRUE(round_numbers(report_of(bar_with_noise(1.004, 1e-6)), "radius").empty());
   EXPECT_TRUE(round_numbers(report_of(bar_with_noise(1, 2e-3)), "radius").empty());
-}
-
-Mesh mesh_of(const TopoDS_Shape& shape)
-{
-  constexpr double deflection = 0.02, angle = 0.2;
-  BRepMesh_IncrementalMesh(shape, deflection, false, angle);
-  std::vector<Point> points;
-  Polygons triangles;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    TopLoc_Location place;
-    const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(face.Current()), place);
-    const std::size_t before = points.size();
-    for (int i = 1; i <= mesh->NbNodes(); ++i)
-      points.emplace_back(mesh->Node(i).X(), mesh->Node(i).Y(), mesh->Node(i).Z());
-    for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-      std::vector<std::size_t> triangle;
-      for (int k = 1; k <= 3; ++k)
-        triangle.push_back(before + std::size_t(mesh->Triangle(i).Value(k)) - 1);
-      if (face.Current().Orientation() == TopAbs_REVERSED)
-        std::swap(triangle[1], triangle[2]);
-      triangles.push_back(triangle);
-    }
-  }
-  return mesh_to_step::make_bodies(points, triangles);
 }
 
 /// A plate from z = 0 to 30 in which holes are drilled from above.

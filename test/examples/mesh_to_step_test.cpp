@@ -9,15 +9,23 @@
 #include "step_text.h"
 
 #include "../shapes_with_faces.h"
+#include "mesh_of.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Region_segmentation/Part_faces/find_part_faces.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 
 #include <Standard_Failure.hxx>
@@ -108,12 +116,13 @@ void expect_solid(const Result& result, std::size_t number_of_faces,
                   const std::vector<double>& expected_radii, double volume)
 {
   EXPECT_TRUE(is_solid(result));
-  EXPECT_EQ(result.measured.number_of_solids, 1u);
+  EXPECT_EQ(result.measured.bodies.size(), 1u);
   EXPECT_TRUE(result.solid.faces_as_facets.empty());
   EXPECT_EQ(result.faces.size(), number_of_faces);
   EXPECT_EQ(result.measured.number_of_faces, number_of_faces);
   EXPECT_NEAR(result.measured.volume, volume, 1e-4 * volume);
-  EXPECT_NEAR(result.solid.expected_volume, volume, 1e-3 * volume);
+  EXPECT_NEAR(CGAL::Polygon_mesh_processing::volume(result.solid.mesh), volume,
+              result.measured.volume_error + 1e-9 * volume);
   const double rounding = 2e-7 * mesh_to_step::size_of(result.solid.mesh);
   EXPECT_LT(result.measured.gap, rounding);
   for (const auto& errors : result.measured.faces) {
@@ -159,7 +168,34 @@ TEST(Mesh_to_step, the_flange)
   ASSERT_TRUE(
     CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("flange.off"), mesh));
   const Result result = through_a_file(mesh);
-  expect_solid(result, 15, {5, 8, 8, 8, 8, 8, 8, 10, 25, 50, 100}, result.solid.expected_volume);
+  expect_solid(result, 15, {5, 8, 8, 8, 8, 8, 8, 10, 25, 50, 100}, result.measured.volume);
+}
+
+TEST(Mesh_to_step, a_tube_with_oblique_ends)
+{
+  const auto torus = BRepPrimAPI_MakeTorus(9, 2).Shape();
+  const auto box = BRepPrimAPI_MakeBox(gp_Pnt(3, -20, -20), gp_Pnt(20, 20, 20)).Shape();
+  const TopoDS_Shape tube = BRepAlgoAPI_Cut(torus, box).Shape();
+  GProp_GProps volume;
+  BRepGProp::VolumeProperties(tube, volume, 1e-6);
+  const Result result = through_a_file(mesh_of(tube));
+  EXPECT_TRUE(is_solid(result));
+  EXPECT_TRUE(result.solid.faces_as_facets.empty());
+  EXPECT_EQ(result.faces.size(), 3u);
+  EXPECT_EQ(result.measured.faces.size(), 3u);
+  EXPECT_NEAR(result.measured.volume, volume.Mass(), 1e-4 * volume.Mass());
+}
+
+TEST(Mesh_to_step, a_freeform_face_with_a_hole)
+{
+  auto shape = shapes_with_faces::ring(9, 9, 4, 6, 64, 1);
+  for (auto& p : shape.points)
+    if (p.z > 3)
+      p.z += 0.02 * p.x * p.x + 0.001 * p.x * p.y * p.y;
+  const Result result = through_a_file(to_mesh(shape));
+  EXPECT_TRUE(is_solid(result));
+  EXPECT_TRUE(result.solid.faces_as_facets.empty());
+  EXPECT_EQ(result.measured.number_of_faces, 4u);
 }
 
 TEST(Mesh_to_step, tells_what_is_wrong)
@@ -309,8 +345,14 @@ TEST(Mesh_to_step, bodies_that_touch_are_solids)
   std::shuffle(polygons.begin(), polygons.end(), random);
   const Result result = through_a_file(mesh_to_step::make_bodies(points, polygons));
   EXPECT_TRUE(is_solid(result));
-  EXPECT_EQ(result.measured.number_of_solids, 3u);
-  EXPECT_EQ(result.measured.number_of_faces, 24u);
+  ASSERT_EQ(result.measured.bodies.size(), 3u);
+  std::multiset<double> volumes, numbers_of_faces;
+  for (const auto& body : result.measured.bodies) {
+    volumes.insert(std::round(body.volume));
+    numbers_of_faces.insert(double(body.face_names.size()));
+  }
+  EXPECT_EQ(volumes, (std::multiset<double>{8, 24, 59}));
+  EXPECT_EQ(numbers_of_faces, (std::multiset<double>{6, 6, 12}));
   EXPECT_NEAR(result.measured.volume, 24 + 60 + 8 - 1, 1e-9);
 }
 
@@ -326,16 +368,15 @@ TEST(Mesh_to_step, facets_are_refused)
   EXPECT_TRUE(allowed.is_solid) << allowed.remarks.back();
 }
 
-TEST(Mesh_to_step, two_sides_of_a_triangle_are_no_solid)
+TEST(Mesh_to_step, two_sides_of_a_square_are_no_solid)
 {
-  Mesh mesh;
-  const auto a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
-             c = mesh.add_vertex({0, 1, 0});
-  mesh.add_face(a, b, c);
-  mesh.add_face(a, c, b);
-  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(mesh);
+  const std::vector<mesh_to_step::Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Polygons two_sides{{0, 1, 2}, {0, 2, 3}, {3, 1, 0}, {3, 2, 1}};
+  const mesh_to_step::Step_part part = mesh_to_step::make_step_part(
+    mesh_to_step::make_bodies(points, two_sides));
   EXPECT_FALSE(part.is_solid);
-  EXPECT_NE(part.remarks.back().find("the mesh encloses nothing"), std::string::npos);
+  EXPECT_NE(part.remarks.back().find("the mesh encloses nothing"), std::string::npos)
+    << part.remarks.back();
 }
 
 TEST(Mesh_to_step, a_size_out_of_range_is_told)

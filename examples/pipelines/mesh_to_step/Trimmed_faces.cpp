@@ -5,6 +5,7 @@
 #include "freeform_surface.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Region_segmentation/Segments/segment_borders.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -29,7 +30,6 @@
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -60,7 +60,6 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   , m_border_halfedges(m_faces.surfaces.size())
   , m_surfaces(m_faces.surfaces.size())
   , m_shapes(m_faces.surfaces.size())
-  , m_measures(m_faces.surfaces.size())
 {
   for (auto f : faces(mesh)) {
     m_triangles[m_faces.labels[f]].push_back(f);
@@ -70,7 +69,7 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
   }
   for (std::size_t face = 0; face < m_shapes.size(); ++face)
     if (!is_freeform(face))
-      m_surfaces[face] = projector(simple_surface(m_faces.surfaces[face], frame(face)));
+      m_surfaces[face] = projector(simple_surface(with_axis(face)));
   make_edges();
   for (std::size_t face = 0; face < m_shapes.size(); ++face) {
     if (is_freeform(face))
@@ -82,22 +81,18 @@ Trimmed_faces::Trimmed_faces(const Mesh& mesh, const Labelled_faces& labelled_fa
     if (!shape.IsNull())
       shape = m_context->Apply(shape);
   set_tolerances();
-  measure_triangles();
 }
 
 bool Trimmed_faces::is_right(std::size_t face) const
 {
-  constexpr double tolerance = 0.05, precision_of_area = 1e-4; // of the area
+  constexpr double most = 2; // triangles may be coarse
   const TopoDS_Shape& shape = m_shapes[face];
   if (shape.IsNull())
     return false;
   GProp_GProps measured;
-  if (is_freeform(face))
-    BRepGProp::SurfaceProperties(shape, measured, precision_of_area);
-  else
-    BRepGProp::SurfaceProperties(shape, measured);
-  const double area = m_measures[face].area;
-  return std::fabs(measured.Mass() - area) <= tolerance * area;
+  BRepGProp::SurfaceProperties(shape, measured);
+  const double area = PMP::area(m_triangles[face], m_mesh);
+  return measured.Mass() < most * area && area < most * measured.Mass();
 }
 
 /// The border of a face, as loops of halfedges of it.
@@ -134,68 +129,46 @@ Surfaces Trimmed_faces::simple_surfaces(const std::set<std::size_t>& faces) cons
   return result;
 }
 
-/// The frame of the surface of a face. Its seam may be anywhere around the axis, and the axis of a
-/// sphere any: the first of some frames whose seam crosses the border of the face least, with no
-/// pole near it.
-gp_Ax3 Trimmed_faces::frame(std::size_t face) const
+/// The surface of a face. The axis of a sphere may be any: the first one, of the directions of
+/// neighbors and of others, whose poles are not near the border of the face, and whose seam crosses
+/// it at most once.
+Fitted_surface Trimmed_faces::with_axis(std::size_t face) const
 {
-  constexpr int number = 100;
-  const Fitted_surface& s = m_faces.surfaces[face];
-  std::vector<gp_Ax3> candidates;
-  const auto add = [&](double x, double y, double z) {
-    const gp_Dir axis(x, y, z);
-    candidates.emplace_back(point_of(s.point), axis, seam_direction(axis));
-  };
-  if (s.kind == RS::Surface_kind::SPHERE) {
-    std::set<std::size_t> neighbors;
-    for (Halfedge h : m_border_halfedges[face])
-      neighbors.insert(label(opposite(h, m_mesh)));
-    for (const std::size_t neighbor : neighbors)
-      if (const auto& d = m_faces.surfaces[neighbor].direction; !is_freeform(neighbor))
-        add(d.x(), d.y(), d.z());
-    for (int i = 0; i < number; ++i) { // on a spiral from pole to pole
-      const double z = (i + 0.5) / number, r = std::sqrt(1 - z * z), angle = 2.4 * i;
-      add(r * std::cos(angle), r * std::sin(angle), z);
-    }
-  } else {
-    add(s.direction.x(), s.direction.y(), s.direction.z());
-    for (int i = 1; s.has_axis() && i < number; ++i)
-      candidates.push_back(candidates[0].Rotated(candidates[0].Axis(), 2 * M_PI * i / number));
+  constexpr int number_of_others = 100;
+  Fitted_surface result = m_faces.surfaces[face];
+  if (result.kind != RS::Surface_kind::SPHERE)
+    return result;
+  std::vector<Kernel::Vector_3> candidates;
+  for (Halfedge h : m_border_halfedges[face])
+    if (const std::size_t other = label(opposite(h, m_mesh)); !is_freeform(other))
+      candidates.push_back(m_faces.surfaces[other].direction);
+  for (int i = 0; i < number_of_others; ++i) { // on a spiral from pole to pole
+    const double z = (i + 0.5) / number_of_others, r = std::sqrt(1 - z * z), angle = 2.4 * i;
+    candidates.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
   }
-  const std::vector<Halfedges> borders = loops(face);
-  const auto is_better = [&](const gp_Ax3& a, const gp_Ax3& b) {
-    return crossings(a, face, borders) < crossings(b, face, borders);
-  };
-  return *std::min_element(candidates.begin(), candidates.end(), is_better);
+  const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const auto& axis) {
+    return can_be_axis(gp_Dir(axis.x(), axis.y(), axis.z()), face);
+  });
+  if (found != candidates.end())
+    result.direction = *found;
+  return result;
 }
 
-/// How many borders of a face come to the seam and go back, one more if the face is there; many if
-/// a border meets a pole.
-std::size_t Trimmed_faces::crossings(const gp_Ax3& frame, std::size_t face,
-                                     const std::vector<Halfedges>& borders) const
+bool Trimmed_faces::can_be_axis(const gp_Dir& axis, std::size_t face) const
 {
   constexpr double farthest = 0.98; // of a point of the border along the axis, of the radius
+  const gp_Vec seam(seam_direction(axis)), beside = gp_Vec(axis) ^ seam;
   const Fitted_surface& s = m_faces.surfaces[face];
-  const gp_Vec axis(frame.Direction()), seam(frame.XDirection()), beside(frame.YDirection());
-  const auto from_center = [&](Halfedge h) { return gp_Vec(frame.Location(), source_point(h)); };
-  const auto is_at_seam = [&](Halfedge h) {
-    const gp_Vec from = from_center(h), to = from_center(next(h, m_mesh));
-    return (from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0);
-  };
-  const auto is_at_pole = [&](Halfedge h) {
-    return std::fabs(from_center(h).Dot(axis)) > farthest * s.radius;
-  };
-  std::size_t result = 0;
-  for (const Halfedges& border : borders) {
-    if (s.kind == RS::Surface_kind::SPHERE && std::any_of(border.begin(), border.end(), is_at_pole))
-      return borders.size() + 1;
-    result += std::count_if(border.begin(), border.end(), is_at_seam) > 1;
+  int crossings = 0;
+  for (Halfedge h : m_border_halfedges[face]) {
+    const gp_Vec from(point_of(s.point), source_point(h)),
+      to(point_of(s.point), source_point(next(h, m_mesh)));
+    if (std::fabs(from.Dot(axis)) > farthest * s.radius)
+      return false;
+    if ((from + to).Dot(seam) > 0 && (from.Dot(beside) < 0) != (to.Dot(beside) < 0))
+      ++crossings;
   }
-  const auto& triangles = m_triangles[face];
-  return result + (s.has_axis() && std::any_of(triangles.begin(), triangles.end(), [&](auto f) {
-                     const auto around = halfedges_around_face(halfedge(f, m_mesh), m_mesh);
-                     return std::any_of(around.begin(), around.end(), is_at_seam);
-                   }));
+  return crossings <= 1;
 }
 
 /// A surface through the vertices of a freeform face, and points of its edges.
@@ -394,26 +367,6 @@ void Trimmed_faces::set_tolerances()
   for (const TopoDS_Shape& shape : m_shapes)
     if (!shape.IsNull())
       BRepLib::UpdateTolerances(shape);
-}
-
-void Trimmed_faces::measure_triangles()
-{
-  for (auto f : faces(m_mesh)) {
-    std::array<gp_Pnt, 3> corners;
-    std::array<Curve_piece, 3> sides;
-    std::size_t i = 0;
-    for (Halfedge h : halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      corners[i] = source_point(h);
-      if (const auto piece = m_pieces.find(h); piece != m_pieces.end())
-        sides[i] = piece->second;
-      ++i;
-    }
-    const std::size_t face = m_faces.labels[f];
-    const Surfaces surface(m_surfaces[face].IsNull() ? 0 : 1, m_surfaces[face]);
-    const Measures m = measures_on_surface(corners, surface, sides);
-    m_measures[face].area += m.area;
-    m_measures[face].volume += m.volume;
-  }
 }
 
 } // namespace mesh_to_step

@@ -4,7 +4,6 @@
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_TRIMMED_FACES_H
 
 #include "make_curve.h"
-#include "measures.h"
 #include "part_surface.h"
 
 #include <BRep_Builder.hxx>
@@ -39,9 +38,7 @@ public:
 
   /// By label; null of a freeform face without a surface, several faces where seams divide one.
   const std::vector<TopoDS_Shape>& shapes() const { return m_shapes; }
-  /// What area and volume should be, by label.
-  const std::vector<Measures>& measures() const { return m_measures; }
-  /// Whether a face has the area that it should have.
+  /// Whether a face is made, and has about the area of its triangles.
   bool is_right(std::size_t face) const;
 
 private:
@@ -57,9 +54,8 @@ private:
   std::vector<Halfedges> loops(std::size_t face) const;
   Halfedge next_at_border(Halfedge h) const;
   Surfaces simple_surfaces(const std::set<std::size_t>& faces) const;
-  gp_Ax3 frame(std::size_t face) const;
-  std::size_t crossings(const gp_Ax3& frame, std::size_t face,
-                        const std::vector<Halfedges>& borders) const;
+  Fitted_surface with_axis(std::size_t face) const;
+  bool can_be_axis(const gp_Dir& axis, std::size_t face) const;
 
   void make_freeform_surface(std::size_t face);
   TopoDS_Vertex vertex(Mesh::Vertex_index v);
@@ -70,7 +66,6 @@ private:
   void add_parameter_curve(const TopoDS_Edge& edge, std::size_t face);
   TopoDS_Shape make_face(std::size_t face);
   void set_tolerances();
-  void measure_triangles();
 
   const Mesh& m_mesh;
   const Labelled_faces& m_faces;
@@ -82,7 +77,6 @@ private:
   std::map<Halfedge, TopoDS_Edge> m_edges;  ///< by the first halfedge in the face to their left
   std::map<Halfedge, Curve_piece> m_pieces; ///< along halfedges at borders
   std::vector<TopoDS_Shape> m_shapes;
-  std::vector<Measures> m_measures;
   BRep_Builder m_builder;
   Handle(ShapeBuild_ReShape) m_context = new ShapeBuild_ReShape; ///< edges that seams divide
 };

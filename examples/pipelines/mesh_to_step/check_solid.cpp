@@ -5,6 +5,7 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -130,20 +131,24 @@ std::vector<std::size_t> labels_of(const Named_shape& read, const Solid& solid,
   return result;
 }
 
-/// Measures a shape, but for its faces.
-Certificate measure(const TopoDS_Shape& shape)
+/// Measures the bodies of a shape.
+Certificate measure(const Named_shape& read)
 {
   constexpr double precision = 1e-5; // of area and volume
   Certificate result;
-  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-    ++result.number_of_solids;
-  result.is_closed = result.number_of_solids > 0 && has_closed_shells(shape);
-  result.is_valid = !shape.IsNull() && BRepCheck_Analyzer(shape).IsValid();
-  GProp_GProps volume, area;
-  BRepGProp::VolumeProperties(shape, volume, precision);
-  BRepGProp::SurfaceProperties(shape, area, precision);
-  result.volume = volume.Mass();
-  result.area = area.Mass();
+  auto name = read.face_names.begin();
+  for (TopExp_Explorer solid(read.shape, TopAbs_SOLID); solid.More(); solid.Next()) {
+    GProp_GProps volume, area;
+    BRepGProp::VolumeProperties(solid.Current(), volume, precision);
+    BRepGProp::SurfaceProperties(solid.Current(), area, precision);
+    const auto first = name;
+    name += std::ptrdiff_t(faces_of(solid.Current()).size());
+    result.bodies.push_back({volume.Mass(), area.Mass(), {first, name}});
+    result.volume += volume.Mass();
+    result.area += area.Mass();
+  }
+  result.is_closed = !result.bodies.empty() && has_closed_shells(read.shape);
+  result.is_valid = !read.shape.IsNull() && BRepCheck_Analyzer(read.shape).IsValid();
   return result;
 }
 
@@ -153,7 +158,7 @@ Certificate compare(const Named_shape& read, const Solid& solid,
                     const std::vector<std::string>& names)
 {
   constexpr double deflection = 1e-3, angle = 0.3;
-  Certificate result = measure(read.shape);
+  Certificate result = measure(read);
   if (read.shape.IsNull())
     return result;
   BRepMesh_IncrementalMesh(read.shape, deflection * size_of(solid.mesh), false, angle);
@@ -184,6 +189,11 @@ Certificate compare(const Named_shape& read, const Solid& solid,
     include_errors(errors, solid, triangles[labels[i]], points[i], surfaces[i], surface_of_label,
                    tree);
     errors.of_edges = (std::max)(errors.of_edges, gaps[i]);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Face_errors& e = result.faces[i];
+    result.volume_error += CGAL::Polygon_mesh_processing::area(triangles[i], solid.mesh) *
+                           (std::max)({e.of_vertices, e.of_surface, e.of_sides});
   }
   return result;
 }

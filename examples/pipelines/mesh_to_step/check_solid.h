@@ -22,14 +22,24 @@ struct Face_errors
   double of_edges = 0;    ///< from points of the edges of the face to its surface
 };
 
+/// What is measured of a solid.
+struct Measured_body
+{
+  double volume = 0, area = 0;
+  std::vector<std::string> face_names;
+};
+
 /// What is measured of a shape that is read from a file.
 struct Certificate
 {
   bool is_valid = false;  ///< as OpenCASCADE checks it
   bool is_closed = false; ///< whether it is solids, each edge of which is between two faces
-  std::size_t number_of_solids = 0, number_of_faces = 0;
-  double volume = 0, area = 0;
+  std::vector<Measured_body> bodies;
+  std::size_t number_of_faces = 0;
+  double volume = 0, area = 0;    ///< of all bodies
   double gap = 0;                 ///< the largest distance between an edge and its faces
+  double volume_error = 0;        ///< what the volume may differ by from that of the mesh: areas of
+                                  ///< triangles by the distances of their faces
   std::vector<Face_errors> faces; ///< by label, if the shape has the faces that were made
 };
 

@@ -3,10 +3,20 @@
 #ifndef CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_CURVE_H
 #define CGAL_REGION_SEGMENTATION_EXAMPLES_MAKE_CURVE_H
 
-#include "measures.h"
 #include "part_surface.h"
 
+#include <Geom_Curve.hxx>
+
 namespace mesh_to_step {
+
+/// A curve from one parameter to another one.
+struct Curve_piece
+{
+  Handle(Geom_Curve) curve;
+  double first = 0, last = 0;
+
+  gp_Pnt point(double share) const { return curve->Value(first + share * (last - first)); }
+};
 
 /// A border of two faces, from its start to its end.
 struct Border

@@ -135,8 +135,6 @@ Solid make_solid(Mesh mesh, const Labels& face_of_triangle, const Part_faces& pa
   result.labels = labelled.labels;
   result.number_of_labels = labelled.surfaces.size();
   result.label_of_face = labels_of_faces(result.shape, trimmed->shapes());
-  for (const Measures& m : trimmed->measures())
-    result.expected_volume += m.volume;
   return result;
 }
 

@@ -24,14 +24,11 @@ struct Solid
   std::size_t number_of_labels = 0;
   std::vector<std::size_t> label_of_face; ///< by face of `shape`, in its order
   std::set<std::size_t> faces_as_facets;  ///< the faces that cannot be made of their surfaces
-  /// That of the mesh, if its triangles are bent to the surfaces of their faces.
-  double expected_volume = 0;
 };
 
 /// Makes a solid of the faces of a machine part: each is its surface, trimmed by edges that it
 /// shares with its neighbors; a freeform face is a B-spline surface. A face stays its triangles, if
-/// that is allowed, where what is made of it is not valid, or has not the area of its triangles
-/// bent to its surface.
+/// that is allowed, where it cannot be made, or has not about their area.
 ///
 /// \param mesh closed, of triangles
 /// \param face_of_triangle, part_faces as found by `find_part_faces()`

@@ -100,7 +100,9 @@ try {
   if (!options.report.empty())
     write(options.report, part.report);
   if (!part.is_solid) {
-    std::cerr << options.files[1] << " is not written\n";
+    const bool is_set = options.intent == mesh_to_step::Design_intent::SET;
+    std::cerr << options.files[1] << " is not written"
+              << (is_set ? "; with --as-found it may be\n" : "\n");
     return EXIT_FAILURE;
   }
   write(options.files[1], part.text);

@@ -66,8 +66,10 @@ gp_Dir seam_direction(const gp_Dir& axis)
   return across.Magnitude() > 0.1 ? gp_Dir(across) : gp_Dir(gp_Vec(0.6, -0.8, 0.1) ^ n);
 }
 
-Handle(Geom_Surface) simple_surface(const Fitted_surface& s, const gp_Ax3& frame)
+Handle(Geom_Surface) simple_surface(const Fitted_surface& s)
 {
+  const gp_Dir axis(s.direction.x(), s.direction.y(), s.direction.z());
+  const gp_Ax3 frame(point_of(s.point), axis, seam_direction(axis));
   switch (s.kind) {
   case RS::Surface_kind::CYLINDER:
     return new Geom_CylindricalSurface(frame, s.radius);

@@ -7,7 +7,6 @@
 
 #include <Geom_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
-#include <gp_Ax3.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Pnt2d.hxx>
@@ -31,7 +30,7 @@ inline gp_Pnt point_of(const Point& p)
 gp_Dir seam_direction(const gp_Dir& axis);
 
 /// A surface that is not freeform, as OpenCASCADE has it.
-Handle(Geom_Surface) simple_surface(const Fitted_surface& s, const gp_Ax3& frame);
+Handle(Geom_Surface) simple_surface(const Fitted_surface& s);
 
 /// A point of a surface, and its parameters.
 struct Surface_point

@@ -3,6 +3,7 @@
 #include "report.h"
 
 #include "holes.h"
+#include "step_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -137,10 +138,15 @@ std::string report(const Part_faces& faces, const Design_log& log, const Solid& 
                    const Certificate& certificate, bool is_right)
 {
   Json result{{"is_right", is_right},
-              {"solids", certificate.number_of_solids},
               {"volume", certificate.volume},
               {"area", certificate.area},
               {"gap", certificate.gap}};
+  result["bodies"] = Json::array();
+  for (const Measured_body& body : certificate.bodies)
+    result["bodies"].push_back({{"name", body_name(result["bodies"].size())},
+                                {"volume", body.volume},
+                                {"area", body.area},
+                                {"faces", body.face_names}});
   for (std::size_t i = 0; i < faces.size(); ++i) {
     Json face{{"name", face_name(faces, i)}};
     if (!certificate.faces.empty())

@@ -93,22 +93,21 @@ void tell_errors(const std::set<std::size_t>& wrong, const Certificate& certific
 /// A sentence on the whole, and whether it is right.
 bool tell_whole(const Certificate& c, const Solid& solid, std::vector<std::string>& remarks)
 {
-  constexpr double tolerance = 1e-3; // of the volume
+  constexpr double precision = 1e-4; // of the volume
+  const double volume = PMP::volume(solid.mesh);
   std::ostringstream text;
-  text << c.number_of_solids << (c.number_of_solids == 1 ? " solid, " : " solids, ")
-       << c.number_of_faces << " faces, volume " << c.volume << " (mesh " << PMP::volume(solid.mesh)
-       << "), area " << c.area << " (mesh " << PMP::area(solid.mesh) << "), edges within " << c.gap
-       << " of their faces";
-  const double expected = solid.expected_volume;
+  text << c.bodies.size() << (c.bodies.size() == 1 ? " solid, " : " solids, ") << c.number_of_faces
+       << " faces, volume " << c.volume << " (mesh " << volume << "), area " << c.area << " (mesh "
+       << PMP::area(solid.mesh) << "), edges within " << c.gap << " of their faces";
   bool is_right = false;
   if (!c.is_valid || !c.is_closed)
     text << "; this is not a valid closed solid";
-  else if (!(expected > 0))
+  else if (!(volume > 0))
     text << "; the mesh encloses nothing";
   else if (c.faces.empty())
     text << "; " << solid.label_of_face.size() << " faces were written";
-  else if (std::fabs(c.volume - expected) > tolerance * expected)
-    text << "; the volume should be " << expected;
+  else if (std::fabs(c.volume - volume) > c.volume_error + precision * volume)
+    text << "; faces as near to the triangles as these have the volume within " << c.volume_error;
   else
     is_right = true;
   remarks.push_back(text.str());

@@ -43,6 +43,11 @@ void name(const STEPControl_Writer& writer, const TopoDS_Shape& part, const std:
 
 } // namespace
 
+std::string body_name(std::size_t body)
+{
+  return "body_" + std::to_string(body + 1);
+}
+
 std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>& face_names)
 {
   be_silent();
@@ -51,7 +56,7 @@ std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>&
   if (writer.Transfer(shape, STEPControl_AsIs) == IFSelect_RetDone) {
     std::size_t number = 0;
     for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-      name(writer, solid.Current(), "body_" + std::to_string(++number));
+      name(writer, solid.Current(), body_name(number++));
     TopExp_Explorer face(shape, TopAbs_FACE);
     for (auto next = face_names.begin(); face.More() && next != face_names.end(); face.Next())
       name(writer, face.Current(), *next++);

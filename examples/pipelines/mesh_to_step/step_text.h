@@ -5,6 +5,7 @@
 
 #include <TopoDS_Shape.hxx>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,13 @@ struct Named_shape
   std::vector<std::string> face_names;
 };
 
-/// The text of a STEP file, lengths in mm; empty if the shape cannot be written.
+/// `body_1` of the first one.
+std::string body_name(std::size_t body);
+
+/// The text of a STEP file, lengths in mm; empty if the shape cannot be written. Solids get the
+/// names of bodies.
 ///
-/// \param face_names of the faces, in the order of the shape; solids are `body_1`, `body_2`, ...
+/// \param face_names of the faces, in the order of the shape
 std::string step_text(const TopoDS_Shape& shape, const std::vector<std::string>& face_names);
 
 /// The shape in such a text.
