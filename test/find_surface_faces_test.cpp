@@ -566,6 +566,48 @@ TEST(FindSurfaceFaces, RolesAndExtents)
     EXPECT_EQ(role, R::NONE);
 }
 
+/// An arc around a point, between two angles in right angles.
+shapes_with_faces::Profile arc(double r, double z, double radius, double from, double to)
+{
+  constexpr int sides = 6;
+  shapes_with_faces::Profile result;
+  for (int i = 0; i <= sides; ++i) {
+    const double angle = shapes_with_faces::pi / 2 * (from + (to - from) * i / sides);
+    result.push_back({r + radius * std::cos(angle), z + radius * std::sin(angle)});
+  }
+  return result;
+}
+
+// What is rounded at both ends is no blend itself, nor is the end of a pin.
+TEST(FindSurfaceFaces, RolesOfRoundedWalls)
+{
+  using R = Face_role;
+  using shapes_with_faces::revolved_faces;
+  EXPECT_EQ(faces_in_order(revolved_faces({{{6, 0}, {12, 0}},
+                                           {{12, 0}, {12, 6}},
+                                           {{12, 6}, {6, 6}},
+                                           arc(6, 5, 1, 1, 2),
+                                           {{5, 5}, {5, 1}},
+                                           arc(6, 1, 1, 2, 3)},
+                                          48))
+              .roles,
+            (std::vector<R>{R::NONE, R::NONE, R::NONE, R::BLEND, R::HOLE, R::BLEND}));
+  EXPECT_EQ(faces_in_order(revolved_faces({{{0, 0}, {8, 0}},
+                                           {{8, 0}, {8, 2}},
+                                           {{8, 2}, {4, 2}},
+                                           arc(4, 3, 1, 3, 2),
+                                           {{3, 3}, {3, 6}},
+                                           arc(2, 6, 1, 0, 1),
+                                           {{2, 7}, {0, 7}}},
+                                          48))
+              .roles,
+            (std::vector<R>{R::NONE, R::NONE, R::NONE, R::BLEND, R::BOSS, R::BLEND, R::NONE}));
+  EXPECT_EQ(
+    faces_in_order(revolved_faces({arc(0, 2, 2, 3, 4), {{2, 2}, {2, 6}}, arc(0, 6, 2, 0, 1)}, 48))
+      .roles,
+    (std::vector<R>{R::NONE, R::NONE, R::NONE}));
+}
+
 TEST(FindSurfaceFaces, CommonSurfacesAndAxes)
 {
   const auto common = [](const Shape& shape) {

@@ -5,6 +5,7 @@ gmsh), of the Debian packages assimp-utils, python3-vtk9, prusa-slicer and pytho
 it, or where the program was built without a format, the test is skipped."""
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -201,8 +202,11 @@ def check_step(case):
 
     (case.folder / "open.off").write_text(BLOCK.replace("8 6 0", "8 5 0").replace("4 3 0 4 7\n", ""))
     outcome = subprocess.run([case.command[0], "open.off", "-o", "b.step"], cwd=case.folder, capture_output=True, text=True)
-    assert outcome.returncode == 1 and "b.step: no solid of" in outcome.stderr and "open" in outcome.stderr, outcome
+    assert outcome.returncode == 1 and "b.step: no solid: " in outcome.stderr and "open" in outcome.stderr, outcome
     assert not (case.folder / "b.step").exists()
+    outcome = subprocess.run([case.command[0], "block.off", "-o", "b.step"], cwd=case.folder, capture_output=True, text=True,
+                             env={**os.environ, "PATH": "/usr/bin:/bin"})
+    assert outcome.returncode == 1 and "mesh_to_step: not found (an example" in outcome.stderr, outcome
 
 
 def main(program, reader):

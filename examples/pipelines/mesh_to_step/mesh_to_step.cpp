@@ -101,14 +101,13 @@ try {
     write(options.report, part.report);
   if (!part.is_solid) {
     const bool is_set = options.intent == mesh_to_step::Design_intent::SET;
-    std::cerr << options.files[1] << " is not written"
-              << (is_set ? "; with --as-found it may be\n" : "\n");
+    std::cerr << "no file is written" << (is_set ? "; with --as-found one may be\n" : "\n");
     return EXIT_FAILURE;
   }
   write(options.files[1], part.text);
   return EXIT_SUCCESS;
 } catch (const Standard_Failure& failure) {
-  std::cerr << "no solid is made: " << failure.GetMessageString() << '\n';
+  std::cerr << failure.GetMessageString() << '\n';
   return EXIT_FAILURE;
 } catch (const std::exception& failure) {
   std::cerr << failure.what() << '\n';

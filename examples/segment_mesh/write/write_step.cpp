@@ -1,55 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "read/errors.h"
+#include "write/write_mesh.h"
 #include "write/write_segmentation.h"
 
-#ifdef SEGMENT_MESH_HAS_STEP
-#include <bodies.h> // of the example mesh_to_step
-#include <step_part.h>
-
-#include <Standard_Failure.hxx>
-
-#include <cstddef>
-#include <stdexcept>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace segment_mesh {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder for files that another program reads and writes.
+class Temporary_folder
+{
+public:
+  Temporary_folder() { fs::create_directory(m_path); }
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+  ~Temporary_folder()
+  {
+    std::error_code ignored;
+    fs::remove_all(m_path, ignored);
+  }
+
+  std::string file(const std::string& name) const { return (m_path / name).string(); }
+
+private:
+  fs::path m_path = fs::temp_directory_path() /
+                    ("segment_mesh." + std::to_string(std::random_device()()));
+};
+
+/// For a shell.
+std::string quoted(const std::string& file)
+{
+  return '"' + file + '"';
+}
+
+Remarks lines_of(const std::string& file)
+{
+  std::ifstream text(file);
+  Remarks result;
+  for (std::string line; std::getline(text, line);)
+    result.push_back(line);
+  return result;
+}
+
+} // namespace
 
 Step_text make_step(const Output& output, const Result& result)
 try {
-  const Polygon_soup& soup = result.input.soup;
-  std::vector<mesh_to_step::Point> points;
-  for (const Point& p : soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<std::vector<std::size_t>> polygons;
-  for (const Polygon_soup::Polygon polygon : soup.polygons)
-    polygons.emplace_back(polygon.begin(), polygon.end());
-  mesh_to_step::Step_part part = mesh_to_step::make_step_part(
-    mesh_to_step::make_bodies(points, polygons));
-  if (part.is_solid)
-    return {std::move(part.text), std::move(part.remarks)};
-  std::string reasons = "no solid of";
-  for (const std::string& remark : part.remarks)
-    reasons += (&remark == &part.remarks.front() ? " " : "; ") + remark;
+  const Temporary_folder folder;
+  const std::string mesh = folder.file("part.off"), step = folder.file("part.step"),
+                    said = folder.file("said");
+  std::ofstream off(mesh);
+  write_off(off, {result.input.soup, result.segmentation.segment_of_face, {}, {}});
+  off.close();
+  if (!off)
+    throw Output_error(output.file, mesh + " cannot be written");
+  const std::string command = "mesh_to_step " + quoted(mesh) + ' ' + quoted(step) + " >" +
+                              quoted(said) + " 2>&1";
+  const int status = std::system(command.c_str());
+  Remarks remarks = lines_of(said);
+  if (status == 0) {
+    std::ifstream text(step, std::ios::binary);
+    return {{std::istreambuf_iterator<char>(text), {}}, std::move(remarks)};
+  }
+  std::string reasons = "no solid";
+  for (const std::string& remark : remarks)
+    reasons += (&remark == &remarks.front() ? ": " : "; ") + remark;
+  constexpr int not_found = 127; // by a shell
+  if (status / 256 == not_found)
+    reasons += " (an example of this package, which needs OpenCASCADE)";
   throw Output_error(output.file, reasons);
-} catch (const Standard_Failure& failure) {
-  throw Output_error(output.file, std::string("no solid: ") + failure.GetMessageString());
-} catch (const std::invalid_argument& failure) {
-  throw Output_error(output.file, std::string("no solid: ") + failure.what());
+} catch (const fs::filesystem_error& error) {
+  throw Output_error(output.file, error.what());
 }
 
 } // namespace segment_mesh
-#else
-namespace segment_mesh {
-
-Step_text make_step(const Output& output, const Result&)
-{
-  throw Output_error(output.file,
-                     "solids need OpenCASCADE (Debian: libocct-data-exchange-dev), and "
-                     "this program was built without it");
-}
-
-} // namespace segment_mesh
-#endif

@@ -30,11 +30,11 @@ struct Kernel_of_doubles
 enum class Surface_kind { PLANE, CYLINDER, CONE, SPHERE, TORUS, FREEFORM };
 
 /// \ingroup PkgRegionSegmentationSegments
-/// What a face of a machine part is for. `BLEND`: it rounds an edge or a corner, and meets most of
-/// what it borders on smoothly. `HOLE`: the wall of a hole, a concave cylinder or cone, or a bottom
-/// that borders on walls alone. `BOSS`: the wall of a boss, a convex cylinder or cone with a
-/// concave edge or blend around one end, its foot, and none around the other; or a top that borders
-/// on such walls alone.
+/// What a face of a machine part is for. `BLEND`: it rounds an edge or a corner between other
+/// faces, and meets most of what it borders on smoothly along it. `HOLE`: the wall of a hole, a
+/// concave cylinder or cone, or a bottom that borders on walls alone. `BOSS`: the wall of a boss, a
+/// convex cylinder or cone with a concave edge or blend around one end, its foot, and none around
+/// the other; or a top that borders on such walls alone.
 enum class Face_role { NONE, BLEND, HOLE, BOSS };
 
 /// \ingroup PkgRegionSegmentationSegments

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -81,36 +82,33 @@ inline std::vector<Shared_side> find_borders(const Surface& surface, const Parti
 /// and cones.
 inline double alignment_with_rolling(const Fitted_surface<>& s, const Shared_side& side)
 {
-  switch (s.kind) {
-  case Surface_kind::CYLINDER:
+  const Double_3 around = cross(s.direction, side.middle - s.point);
+  if (s.kind == Surface_kind::CYLINDER)
     return std::fabs(dot(side.along, s.direction));
-  case Surface_kind::TORUS: {
-    const Double_3 around = cross(s.direction, side.middle - s.point);
-    return norm(around) > 0 ? std::fabs(dot(side.along, around)) / norm(around) : 0;
-  }
-  case Surface_kind::SPHERE:
-  case Surface_kind::FREEFORM:
-    return 1;
-  default:
-    return 0;
-  }
+  if (s.kind == Surface_kind::TORUS && norm(around) > 0)
+    return std::fabs(dot(side.along, around)) / norm(around);
+  return s.kind == Surface_kind::SPHERE || s.kind == Surface_kind::FREEFORM;
 }
 
-/// Which faces are blends: most of their border along the path of a rolling ball is smooth.
+/// Which faces are blends, of two neighbors or more: most of their border along the path of a
+/// rolling ball is smooth.
 inline std::vector<Face_role> find_blends(const std::vector<Shared_side>& borders,
                                           const std::vector<Fitted_surface<>>& surfaces)
 {
-  constexpr double most = 0.6;
-  std::vector<double> smooth(surfaces.size(), 0), all(surfaces.size(), 0);
+  constexpr double most = 0.6, least_alignment = 0.5;
+  std::vector<double> smooth(surfaces.size(), 0); // beyond that share of the border
+  std::vector<std::set<Surface::Index>> neighbors(surfaces.size());
   for (const Shared_side& side : borders)
-    for (const std::size_t part : side.faces) {
-      const double length = side.length * alignment_with_rolling(surfaces[part], side);
-      all[part] += length;
-      smooth[part] += side.is_smooth ? length : 0;
+    for (const int k : {0, 1}) {
+      const Surface::Index part = side.faces[k];
+      neighbors[part].insert(side.faces[1 - k]);
+      if (const double aligned = alignment_with_rolling(surfaces[part], side);
+          aligned > least_alignment)
+        smooth[part] += aligned * side.length * (double(side.is_smooth) - most);
     }
   std::vector<Face_role> roles(surfaces.size(), Face_role::NONE);
   for (std::size_t i = 0; i < roles.size(); ++i)
-    if (smooth[i] > most * all[i])
+    if (smooth[i] > 0 && neighbors[i].size() > 1)
       roles[i] = Face_role::BLEND;
   return roles;
 }
@@ -131,13 +129,13 @@ inline std::vector<Face_role> find_walls(const std::vector<Shared_side>& borders
   };
   std::vector<unsigned> ends(roles.size(), 0);
   for (const Shared_side& side : borders) {
-    const bool is_concave_edge = side.is_concave && !side.is_smooth;
-    const auto [i, j] = side.faces;
-    for (const auto& [part, other] : {std::pair(i, j), std::pair(j, i)})
+    for (const int k : {0, 1}) {
+      const Surface::Index part = side.faces[k], other = side.faces[1 - k];
       if (is_wall(part) && std::fabs(dot(side.along, surfaces[part].direction)) < most_along_axis) {
         const bool is_on_blend = roles[other] == Face_role::BLEND && surfaces[other].side < 0;
-        ends[part] |= is_concave_edge || is_on_blend ? foot : head;
+        ends[part] |= is_on_blend || (side.is_concave && !side.is_smooth) ? foot : head;
       }
+    }
   }
   for (std::size_t part = 0; part < roles.size(); ++part)
     if (is_wall(part))
