@@ -207,6 +207,10 @@ def check_step(case):
     outcome = subprocess.run([case.command[0], "block.off", "-o", "b.step"], cwd=case.folder, capture_output=True, text=True,
                              env={**os.environ, "PATH": "/usr/bin:/bin"})
     assert outcome.returncode == 1 and "mesh_to_step: not found (an example" in outcome.stderr, outcome
+    for arguments in ["block.off"], ["c.step", "--report", "block.off"], ["c.step", "--report", "c.step"]:
+        outcome = subprocess.run(["mesh_to_step", "block.off", *arguments], cwd=case.folder, capture_output=True, text=True)
+        assert outcome.returncode == 1 and "would replace" in outcome.stderr, outcome
+    assert (case.folder / "block.off").read_text() == BLOCK and not (case.folder / "c.step").exists()
 
 
 def main(program, reader):

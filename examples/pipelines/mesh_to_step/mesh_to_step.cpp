@@ -15,11 +15,13 @@
 
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -48,6 +50,12 @@ Options read_options(int argc, char** argv)
   Options result;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
+    if (word == "--help") {
+      std::cout
+        << "mesh_to_step PART.stl PART.step [--unit mm|cm|m|inch] [--allow-facets] [--as-found]"
+           " [--report PART.json]\n";
+      std::exit(EXIT_SUCCESS);
+    }
     if (word == "--allow-facets")
       result.facets = mesh_to_step::Facets::ALLOWED;
     else if (word == "--as-found")
@@ -65,6 +73,13 @@ Options read_options(int argc, char** argv)
     result.files.push_back(CGAL::data_file_path("flange.off"));
   if (result.files.size() == 1)
     result.files.push_back("mesh_to_step.step");
+  if (result.files.size() > 2)
+    throw std::runtime_error("a third file: " + result.files[2]);
+  for (const std::string& output : {result.files[1], result.report})
+    if (std::error_code none; std::filesystem::equivalent(output, result.files[0], none))
+      throw std::runtime_error(output + " would replace the mesh");
+  if (result.report == result.files[1])
+    throw std::runtime_error("--report " + result.report + " would replace the solid");
   return result;
 }
 
@@ -72,20 +87,30 @@ mesh_to_step::Mesh read_bodies(const std::string& file, double unit)
 {
   std::vector<mesh_to_step::Point> points;
   std::vector<std::vector<std::size_t>> polygons;
+  if (!std::filesystem::is_regular_file(file))
+    throw std::runtime_error(file + ": there is no such file");
   if (!CGAL::IO::read_polygon_soup(file, points, polygons) || polygons.empty())
-    throw std::runtime_error(file + " cannot be read as a mesh");
+    throw std::runtime_error(file +
+                             " cannot be read as a mesh; segment_mesh -o PART.step may tell why");
   for (mesh_to_step::Point& p : points)
     p = CGAL::ORIGIN + unit * (p - CGAL::ORIGIN);
   return mesh_to_step::make_bodies(points, polygons);
 }
 
+/// Replaces a file, or leaves what is there.
 void write(const std::string& file, const std::string& text)
 {
-  std::ofstream stream(file, std::ios::binary);
+  const std::string part = file + ".part";
+  std::ofstream stream(part, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream)
+  std::error_code error;
+  if (stream)
+    std::filesystem::rename(part, file, error);
+  if (!stream || error) {
+    std::filesystem::remove(part, error);
     throw std::runtime_error(file + " cannot be written");
+  }
 }
 
 } // namespace
@@ -97,6 +122,8 @@ try {
     read_bodies(options.files[0], options.unit), options.facets, options.intent);
   for (const std::string& remark : part.remarks)
     std::cout << remark << '\n';
+  if (part.is_solid)
+    write(options.files[1], part.text);
   if (!options.report.empty())
     write(options.report, part.report);
   if (!part.is_solid) {
@@ -104,7 +131,6 @@ try {
     std::cerr << "no file is written" << (is_set ? "; with --as-found one may be\n" : "\n");
     return EXIT_FAILURE;
   }
-  write(options.files[1], part.text);
   return EXIT_SUCCESS;
 } catch (const Standard_Failure& failure) {
   std::cerr << failure.GetMessageString() << '\n';
