@@ -163,6 +163,8 @@ TEST(Design, holes_are_in_a_circle_or_grid)
       plate.drill(110 + 20 * i, 30 + 25 * j, 5, 12);
   for (const double x : {110, 120, 150})
     plate.drill(x, 100, 3, 12);
+  for (const double x : {110, 120, 130}) // of unequal depths
+    plate.drill(x, 90, 2, x / 10);
   const Json patterns = report_of(mesh_of(plate.shape()))["patterns"];
   ASSERT_EQ(patterns.size(), 2u);
   EXPECT_EQ(patterns[0]["holes"].size(), 6u);

@@ -160,11 +160,12 @@ bool find_grid(const std::vector<Position>& positions, Hole_pattern& pattern)
   return true;
 }
 
-/// Whether holes have equal diameters, and parallel axes.
+/// Whether holes have equal diameters and depths, and parallel axes.
 bool are_equal(const Part_faces& faces, const Hole& a, const Hole& b)
 {
   const auto direction = [&](const Hole& h) { return faces[h.walls.front()].surface.direction; };
   return std::fabs(a.diameter - b.diameter) < equal * a.diameter && a.is_blind == b.is_blind &&
+         std::fabs(a.depth - b.depth) < equal * a.depth &&
          CGAL::cross_product(direction(a), direction(b)).squared_length() < equal * equal;
 }
 

@@ -147,9 +147,9 @@ void write_file(const Output& output, const Result& result, const Labelled_mesh&
     else
       write_segments(out, output, result, mesh, names);
   });
+  file.commit();
   if (materials)
     materials->commit();
-  file.commit();
 }
 
 Remarks write_solid(const Output& output, const Result& result)
