@@ -55,8 +55,8 @@ struct Step_text
   Remarks remarks; ///< on faces that are facets
 };
 
-/// A solid of the faces of a machine part, whatever the segments are, by the program `mesh_to_step`.
-/// \throws Output_error if there is none, or if that program is not on the PATH
+/// A solid of the faces of a machine part, whatever the segments are, by the program
+/// `mesh_to_step`. \throws Output_error if there is none, or if that program is not on the PATH
 Step_text make_step(const Output& output, const Result& result);
 /// @}
 
