@@ -167,8 +167,13 @@ TEST(Mesh_to_step, the_flange)
   Mesh mesh;
   ASSERT_TRUE(
     CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(CGAL::data_file_path("flange.off"), mesh));
-  const Result result = through_a_file(mesh);
-  expect_solid(result, 15, {5, 8, 8, 8, 8, 8, 8, 10, 25, 50, 100}, result.measured.volume);
+  const double pi = shapes_with_faces::pi,
+               disc = 1e4 * 20 + 9025 * 5 + 190 * 25 * pi / 4 + 250. / 3, // with its rounding
+    hub = 36000 - 120 * 25 * pi + 2000. / 3 + 2500 * 35 +                 // with its blend
+          5. / 3 * (2500 + 2250 + 2025),                                  // and chamfer
+    bore = 625 * 75, holes = 6 * 64 * 25;
+  expect_solid(through_a_file(mesh), 15, {5, 8, 8, 8, 8, 8, 8, 10, 25, 50, 100},
+               pi * (disc + hub - bore - holes));
 }
 
 TEST(Mesh_to_step, a_tube_with_oblique_ends)
@@ -346,6 +351,7 @@ TEST(Mesh_to_step, bodies_that_touch_are_solids)
   const Result result = through_a_file(mesh_to_step::make_bodies(points, polygons));
   EXPECT_TRUE(is_solid(result));
   ASSERT_EQ(result.measured.bodies.size(), 3u);
+  EXPECT_EQ(result.measured.number_of_faces, 24u);
   std::multiset<double> volumes, numbers_of_faces;
   for (const auto& body : result.measured.bodies) {
     volumes.insert(std::round(body.volume));
@@ -366,6 +372,14 @@ TEST(Mesh_to_step, facets_are_refused)
                                                                        Facets::ALLOWED);
   EXPECT_FALSE(refused.is_solid);
   EXPECT_TRUE(allowed.is_solid) << allowed.remarks.back();
+}
+
+TEST(Mesh_to_step, two_sides_of_a_triangle_are_no_solid)
+{
+  const Polygons two_sides{{0, 1, 2}, {0, 2, 1}};
+  EXPECT_FALSE(mesh_to_step::make_step_part(
+                 mesh_to_step::make_bodies({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, two_sides))
+                 .is_solid);
 }
 
 TEST(Mesh_to_step, two_sides_of_a_square_are_no_solid)

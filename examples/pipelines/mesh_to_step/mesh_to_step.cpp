@@ -128,7 +128,8 @@ try {
     write(options.report, part.report);
   if (!part.is_solid) {
     const bool is_set = options.intent == mesh_to_step::Design_intent::SET;
-    std::cerr << "no file is written" << (is_set ? "; with --as-found one may be\n" : "\n");
+    std::cerr << "no file is written"
+              << (is_set ? "; mesh_to_step --as-found may make one\n" : "\n");
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;

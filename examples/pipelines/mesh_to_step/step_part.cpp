@@ -152,9 +152,10 @@ Step_part make_step_part(Mesh mesh, Facets facets, Design_intent intent)
   Design_log log;
   if (intent == Design_intent::SET)
     log = set_design_intent(mesh, face_of_triangle, faces);
-  result.report = report(faces, log, {}, {}, false);
-  if (!tell_closed(mesh, result.remarks))
+  if (!tell_closed(mesh, result.remarks)) {
+    result.report = report(faces, log, {}, {}, false);
     return result;
+  }
   const Solid solid = make_solid(mesh, face_of_triangle, faces, facets);
   tell(
     solid.faces_as_facets, mesh, face_of_triangle,

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
